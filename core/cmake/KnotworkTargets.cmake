@@ -1,0 +1,44 @@
+# Flags of Knotwork's own targets, kept off everything that is not ours.
+
+include_guard(GLOBAL)
+
+# knotwork_own_code(<target>): C++20, warnings, and the one floating-point model that all builds share.
+function(knotwork_own_code target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    $<$<BOOL:${KNOTWORK_WARNINGS_AS_ERRORS}>:-Werror>)
+  knotwork_floating_point(${target})
+  knotwork_exceptions(${target})
+  knotwork_sanitizers(${target})
+endfunction()
+
+# A fused multiply-add rounds once where a multiplication and an addition round twice. GCC fuses freely on machines that
+# have the instruction (64-bit ARM always, x86-64 with -march), WebAssembly never does. Switched off, the same source
+# gives the same numbers natively and in the browser, which the oracles' 1e-12 and shared documents rely on.
+function(knotwork_floating_point target)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(EMSCRIPTEN)
+    # Eigen and the compiler's vectorizer use the 128-bit lanes; every browser with WebGL2 support today has them.
+    target_compile_options(${target} PRIVATE -msimd128)
+  endif()
+endfunction()
+
+function(knotwork_exceptions target)
+  if(NOT KNOTWORK_EXCEPTIONS)
+    target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
+  endif()
+endfunction()
+
+function(knotwork_sanitizers target)
+  if(KNOTWORK_SANITIZE)
+    # No recovery: a finding ends the test run instead of scrolling past. -O1: sanitized but still quick.
+    target_compile_options(${target} PRIVATE -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+                                             -fno-omit-frame-pointer)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+    target_link_options(${target} INTERFACE $<BUILD_INTERFACE:-fsanitize=address,undefined>
+                                  PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "knotwork/scene/document.h"
+#include "knotwork/scene/parameters.h"
+
+namespace knotwork::scene {
+
+struct SetParameter {
+  std::string id;
+  ParameterValue value;
+};
+/// Replaces the edit of one patch; an identity edit removes it.
+struct SetPatchEdit {
+  PatchIndex patch;
+  PatchEdit edit;
+};
+struct ResetPatches {};
+struct SetCamera {
+  Camera camera;
+};
+struct LoadDocument {
+  Document document;
+};
+/// The clock moves on by `seconds` of real time; only while playing.
+struct AdvanceClock {
+  double seconds;
+};
+
+using Command = std::variant<SetParameter, SetPatchEdit, ResetPatches, SetCamera, LoadDocument, AdvanceClock>;
+
+/// The only way a document changes. On an error nothing has changed.
+Status apply(Document& document, const Command& command);
+
+/// Whether undo takes this command back: not the camera's, not the clock's.
+bool in_history(const Command& command);
+/// A few words for a reader: "Close u", "Move patch 2, 1".
+std::string describe(const Command& command);
+
+}  // namespace knotwork::scene

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "knotwork/scene/document.h"
+
+namespace knotwork::scene {
+
+enum class ParameterKind : unsigned char { number, integer, choice, toggle };
+
+/// A number (number, integer), a choice's id, or a toggle's state.
+using ParameterValue = std::variant<double, std::string, bool>;
+
+struct Choice {
+  std::string id, label;
+};
+
+/// One row of the table that panel, HTML controls, script interface, share link and undo read.
+struct Parameter {
+  std::string_view id;     ///< as `topology.u`
+  std::string_view label;  ///< as `u`
+  std::string_view group;  ///< as `Topology`
+  ParameterKind kind;
+  double min = 0, max = 0, step = 0;  ///< of number and integer
+  std::string_view unit;
+  std::vector<Choice> choices;
+  bool in_history = true;  ///< false for the clock: playing and seeking are not undone
+  ParameterValue (*get)(const Document&);
+  /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure).
+  Status (*set)(Document&, const ParameterValue&);
+  /// Why this row cannot be changed now, empty when it can (e.g. m of a B-function without parameter).
+  std::string (*disabled)(const Document&);
+};
+
+std::span<const Parameter> parameters();
+/// nullptr when there is no such id.
+const Parameter* find_parameter(std::string_view id);
+
+/// Why the choice cannot be taken now ("The plane is not closed in u, ..."), empty when it can.
+std::string refused_choice(const Document& document, const Parameter& parameter, std::string_view choice);
+
+/// The ids: topology.u topology.v (choice open|closed) · model (choice sheet|plane|cylinder|torus) · locals.u locals.v
+/// · blending.function (choice, ids of blending_families()) · blending.parameter · samples.u samples.v ·
+/// display.surface display.colours display.knots display.wireframe display.locals display.frames display.normals
+/// display.handles (toggles) · animation.playing (toggle) animation.time animation.speed · motion.kind (choice
+/// breathe|report) motion.amplitude motion.translation motion.rotation
+
+}  // namespace knotwork::scene

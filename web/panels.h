@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knotwork/scene/commands.h"
+#include "knotwork/scene/surface_builder.h"
+#include "web/camera.h"
+#include "web/theme.h"
+
+namespace knotwork::web {
+
+/// An item drawn last, for the script interface's widgets(): label and rectangle in CSS pixels of the stage.
+struct Widget {
+  std::string label;
+  std::array<double, 4> rect;  ///< x y width height
+};
+
+/// The probe under the pointer: point, curvatures and the weights of the four local patches at work.
+struct Probe {
+  double u, v, gaussian, mean;
+  std::array<BlendingSurface::Weight, 4> weights;
+  double blend_w_u;  ///< w in [0,1] in the u interval: the dot on the plot of B
+};
+
+/// All that the panels show. They change nothing; what the reader asks for comes back as commands.
+struct PanelInput {
+  const scene::Document& document;
+  const BlendingSurface& surface;
+  const Theme& theme;
+  Viewport viewport;  ///< insets ignored
+  bool phone = false; ///< narrow stage: the panel is a drawer
+  std::optional<Probe> probe;
+  std::optional<scene::PatchIndex> selected;
+  bool can_undo = false, can_redo = false;
+  std::string notice;  ///< a refusal or hint to show for a moment, may be empty
+};
+
+/// State of the panels alone (what is folded, the drawer); one struct, passed by reference.
+struct PanelState {
+  bool drawer_open = false;
+  bool show_more = false;  ///< the display and motion rows
+};
+
+struct PanelOutput {
+  std::vector<scene::Command> commands;
+  bool begin_gesture = false, end_gesture = false;  ///< a slider was taken, let go
+  bool undo = false, redo = false, frame_all = false, reset_patches = false;
+  bool wants_frame = false;  ///< something in the interface is still moving
+  std::vector<Widget> widgets;
+  Viewport insets;  ///< the viewport with the insets that panel and clock cover
+};
+
+/// Draws panel, clock, probe and notice with ImGui inside a running ImGui frame.
+PanelOutput draw_panels(PanelState& state, const PanelInput& input);
+
+}  // namespace knotwork::web
