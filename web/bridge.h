@@ -4,6 +4,8 @@
 
 /// What the shell may call: the one border between TypeScript and C++. Strings are UTF-8; a returned string lives until
 /// the next call that returns one. JSON answers are {"value": ...} or {"error": {"message": "...", "path": "..."}}.
+/// When the module needs a frame (an event, a command, a font) it calls the function that the page gave as
+/// `onFrameNeeded` in the module's options; the page then calls knotwork_frame at its next animation frame.
 /// Positions are CSS pixels from the stage's upper left corner; times are milliseconds of performance.now().
 extern "C" {
 // Life. `knotwork_start` needs the canvas (a CSS selector) in the page; false when WebGL2 is not to be had.

@@ -35,6 +35,7 @@ struct PanelInput {
   std::optional<Probe> probe;
   std::optional<scene::PatchIndex> selected;
   bool can_undo = false, can_redo = false;
+  bool reduced_motion = false;  ///< no easing of hover and switches
   std::string notice;  ///< a refusal or hint to show for a moment, may be empty
 };
 
@@ -50,6 +51,7 @@ struct PanelOutput {
   bool undo = false, redo = false, frame_all = false, reset_patches = false;
   bool wants_frame = false;  ///< something in the interface is still moving
   std::vector<Widget> widgets;
+  std::vector<std::array<double, 4>> regions;  ///< cards and popups that take pointers, x y width height in CSS pixels
   Viewport insets;  ///< the viewport with the insets that panel and clock cover
 };
 

@@ -8,6 +8,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/surface/blending_surface.cpp
   knotwork/surface/model_surface.cpp
   knotwork/surface/surface_measures.cpp
+  knotwork/surface/taylor2.cpp
 )
 set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/result.h

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -19,11 +20,19 @@ enum class Topology : unsigned char { open, closed };
 /// Valid once constructed. Source: THEORY 2.1, 2.2, 2.7.
 class KnotVector {
  public:
+  static constexpr int max_degree = 16;
+  static constexpr int max_count = 4096;
+  /// Bound on |t_i|, so that no difference of knots overflows.
+  static constexpr double max_knot = 1e100;
+  /// How far t_{i+n} - t_i may differ from the period of a closed vector, relative to that period.
+  static constexpr double period_tolerance = 1e-9;
+
   /// Takes the knots as given. Error path: `knots[i]`, `degree` or `count`.
   static Result<KnotVector> make(int degree, Topology topology, std::vector<double> knots);
 
   /// Equidistant knots on the domain [start, end]; open ones are clamped (multiplicity p+1 at both ends).
-  /// Needs 1 <= p <= 16, finite start < end, n >= p+1 when open and n >= max(2, p) when closed.
+  /// Needs 1 <= p <= max_degree, start < end, n >= p+1 when open and n >= max(2, p) when closed,
+  /// n <= max_count. Error path: `degree`, `count`, `start`, `end`, or `knots[i]` when so narrow that knots coincide.
   static Result<KnotVector> uniform(int degree, int count, Topology topology, double start, double end);
 
   int degree() const { return degree_; }
