@@ -1,0 +1,20 @@
+# The page's module: build/web/module/knotwork.js and knotwork.wasm.
+
+add_executable(knotwork ${KNOTWORK_WEB_APP_SOURCES})
+knotwork_own_code(knotwork)
+target_link_libraries(knotwork PRIVATE knotwork_web_logic knotwork_imgui nlohmann_json::nlohmann_json)
+set_target_properties(knotwork PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/module")
+
+target_link_options(knotwork PRIVATE
+  -sMODULARIZE=1 -sEXPORT_ES6=1 -sEXPORT_NAME=createKnotwork # the shell imports one factory function
+  -sENVIRONMENT=web            # no code for Node or workers
+  -sDYNAMIC_EXECUTION=0        # no eval: the page's security policy forbids it
+  -sFILESYSTEM=0               # nothing is read or written
+  -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 # the renderer speaks WebGL2 only
+  -sALLOW_MEMORY_GROWTH=1      # 1024x1024 samples need more than the usual page, most readers far less
+  -sMALLOC=emmalloc            # smaller than dlmalloc; nothing here allocates per vertex
+  -sEXIT_RUNTIME=0             # main() returns, the page goes on calling exported functions
+  -sSTRICT=1                   # no deprecated defaults
+  -sALLOW_UNIMPLEMENTED_SYSCALLS=1 # ImGui's and libc++'s printing refer to calls that are never made
+  "-sEXPORTED_RUNTIME_METHODS=[ccall,cwrap,UTF8ToString,stringToUTF8,lengthBytesUTF8]"
+  $<$<CONFIG:Release>:-O2>)
