@@ -35,6 +35,7 @@ if [[ -z $tarball ]] || ! sha256_matches "$tarball"; then
   # shellcheck source=/dev/null
   codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
   # The archive that serves this machine's own release serves the other suites too.
+  # shellcheck disable=SC2016 # apt fills in these names
   archive=$(apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
     awk -v codename="$codename" '$1 == codename && $2 == "main" { print $3; exit }')
   if [[ -z $archive ]]; then
