@@ -18,7 +18,11 @@ struct SampleGrid {
   int steps_u = 1, steps_v = 1;
 };
 
-/// A grid with about `samples_u` x `samples_v` steps: at least one a knot interval, rounded up to whole steps.
+/// The most samples a direction that are honoured (one a knot interval is always made).
+inline constexpr int max_samples = 4096;
+
+/// A grid with about `samples_u` x `samples_v` steps: at least one a knot interval, rounded up to whole steps, and at
+/// least three round a closed direction.
 SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam);
 
 /// Triangle indices of a grid of `columns` x `rows` vertices (vertex a * rows + b), wrapping where told.

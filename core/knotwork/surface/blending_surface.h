@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,8 +23,9 @@ namespace knotwork {
 /// again, evaluated one period earlier. M_ij is any affine map, Translation(model(centre)) when unmoved.
 class BlendingSurface {
  public:
-  /// `locals[i * n_v + j]` is M_ij. Errors: degree other than 1, knots off the model's domain, a direction closed in
-  /// which the model is not, wrong number of locals, entries that are not finite, an asymmetric ... path names it.
+  /// `locals[i * n_v + j]` is M_ij. Error path: `model.<member>`; `knots_u` or `knots_v` (degree other than 1, a direction
+  /// closed in which the model is not, a period other than the model's, knots off the model's domain, intervals below
+  /// 1e-9 of it); `locals` (wrong number); `locals[k]` (not affine, or an entry not finite or beyond 1e100).
   static Result<BlendingSurface> make(ModelSurface model, KnotVector knots_u, KnotVector knots_v,
                                       BlendingFunction blending, std::vector<Eigen::Affine3d> locals);
 
@@ -36,7 +39,7 @@ class BlendingSurface {
   const BlendingFunction& blending() const { return blending_; }
 
   const Eigen::Affine3d& local(int i, int j) const;
-  /// Precondition: finite entries, 0 <= i < n_u, 0 <= j < n_v.
+  /// Precondition: a map that make() accepts, 0 <= i < n_u, 0 <= j < n_v.
   void set_local(int i, int j, const Eigen::Affine3d& map);
   /// M^_ij = M_ij Translation(-model(centre)): takes model points to local patch points.
   const Eigen::Affine3d& model_map(int i, int j) const;
@@ -67,6 +70,7 @@ class BlendingSurface {
  private:
   BlendingSurface(ModelSurface model, KnotVector knots_u, KnotVector knots_v, BlendingFunction blending,
                   std::vector<Eigen::Affine3d> locals);
+  std::size_t index(int i, int j) const;
 
   ModelSurface model_;
   KnotVector knots_u_, knots_v_;

@@ -1,0 +1,96 @@
+#include "knotwork/mesh/surface_sampling.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "knotwork/surface/surface_measures.h"
+
+namespace knotwork {
+namespace {
+
+int steps_per_interval(const KnotVector& knots, int samples) {
+  int intervals = 0;
+  for (int i = knots.degree(); i <= knots.last_span(); ++i) intervals += knots[i] < knots[i + 1] ? 1 : 0;
+  // A closed direction of two steps would fold onto itself: its two edges join the same two vertices.
+  const int least = knots.closed() ? 3 : 1;
+  const int wanted = std::clamp(samples, least, max_samples);
+  return (wanted + intervals - 1) / intervals;
+}
+
+std::vector<double> direction_samples(const KnotVector& knots, int steps, Seam seam) {
+  std::vector<double> t;
+  t.reserve(static_cast<std::size_t>(knots.interval_count()) * static_cast<std::size_t>(steps) + 1);
+  for (int i = knots.degree(); i <= knots.last_span(); ++i) {
+    const double width = knots[i + 1] - knots[i];
+    if (!(width > 0)) continue;
+    for (int k = 0; k < steps; ++k) t.push_back(knots[i] + width * (static_cast<double>(k) / steps));
+  }
+  if (!knots.closed() || seam == Seam::repeated) t.push_back(knots.end());
+  return t;
+}
+
+void append(std::vector<float>& out, const Eigen::Vector3d& x) {
+  for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(x[k]));
+}
+
+}  // namespace
+
+SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam) {
+  SampleGrid grid;
+  grid.steps_u = steps_per_interval(knots_u, samples_u);
+  grid.steps_v = steps_per_interval(knots_v, samples_v);
+  grid.u = direction_samples(knots_u, grid.steps_u, seam);
+  grid.v = direction_samples(knots_v, grid.steps_v, seam);
+  return grid;
+}
+
+std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool wrap_v) {
+  assert(columns >= 1 && rows >= 1);
+  const int cells_u = wrap_u ? columns : columns - 1, cells_v = wrap_v ? rows : rows - 1;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(6 * static_cast<std::size_t>(cells_u) * static_cast<std::size_t>(cells_v));
+  const auto vertex = [&](int a, int b) {
+    return static_cast<std::uint32_t>(a % columns) * static_cast<std::uint32_t>(rows) +
+           static_cast<std::uint32_t>(b % rows);
+  };
+  for (int a = 0; a < cells_u; ++a) {
+    for (int b = 0; b < cells_v; ++b) {
+      const std::uint32_t v00 = vertex(a, b), v10 = vertex(a + 1, b), v01 = vertex(a, b + 1), v11 = vertex(a + 1, b + 1);
+      indices.insert(indices.end(), {v00, v10, v11, v00, v11, v01});
+    }
+  }
+  return indices;
+}
+
+MeshData sample(const BlendingSurface& surface, int samples_u, int samples_v, Seam seam) {
+  const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), samples_u, samples_v, seam);
+  const std::size_t columns = grid.u.size(), rows = grid.v.size(), vertices = columns * rows;
+  const bool joined = seam == Seam::joined;
+  MeshData mesh;
+  mesh.positions.reserve(3 * vertices);
+  mesh.normals.reserve(3 * vertices);
+  mesh.parameters.reserve(2 * vertices);
+  mesh.indices = grid_indices(static_cast<int>(columns), static_cast<int>(rows), joined && surface.knots_u().closed(),
+                              joined && surface.knots_v().closed());
+
+  // A strip of columns at a time bounds the memory of the double-precision jets.
+  constexpr std::size_t jets_at_once = 16384;
+  const std::size_t strip = std::clamp<std::size_t>(jets_at_once / rows, 1, columns);
+  std::vector<SurfaceJet> jets(strip * rows);
+  for (std::size_t first = 0; first < columns; first += strip) {
+    const std::span<const double> u = std::span(grid.u).subspan(first, std::min(strip, columns - first));
+    surface.evaluate_grid(u, grid.v, std::span(jets).first(u.size() * rows));
+    for (std::size_t a = 0; a < u.size(); ++a) {
+      for (std::size_t b = 0; b < rows; ++b) {
+        const SurfaceJet& jet = jets[a * rows + b];
+        append(mesh.positions, jet.s);
+        append(mesh.normals, unit_normal(jet));
+        mesh.parameters.push_back(static_cast<float>(u[a]));
+        mesh.parameters.push_back(static_cast<float>(grid.v[b]));
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace knotwork

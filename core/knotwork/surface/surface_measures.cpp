@@ -1,0 +1,84 @@
+#include "knotwork/surface/surface_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace knotwork {
+namespace {
+
+/// Shorter partials count as zero; keeps the squares of their inverses finite.
+constexpr double least_length = 1e-100;
+/// The sine of the angle between the partials below which they count as parallel.
+constexpr double least_sine = 1e-12;
+
+/// The jet in parameters stretched so that both first partials have length 1 (or are zero): the same surface, with
+/// nothing left to overflow or underflow.
+struct UnitJet {
+  Eigen::Vector3d su, sv, suu, suv, svv;
+  double length_u, length_v;
+  bool regular;
+};
+
+UnitJet unit_jet(const SurfaceJet& jet) {
+  const double lu = jet.su.stableNorm(), lv = jet.sv.stableNorm();
+  const bool has_u = lu > least_length, has_v = lv > least_length;
+  const double a = has_u ? lu : 1, b = has_v ? lv : 1;
+  UnitJet unit{has_u ? Eigen::Vector3d(jet.su / a) : Eigen::Vector3d::Zero(),
+               has_v ? Eigen::Vector3d(jet.sv / b) : Eigen::Vector3d::Zero(),
+               jet.suu / a / a,
+               jet.suv / a / b,
+               jet.svv / b / b,
+               lu,
+               lv,
+               false};
+  unit.regular = unit.su.cross(unit.sv).norm() > least_sine;
+  return unit;
+}
+
+/// Unit vector along x, or zero where x is negligible against `scale`.
+Eigen::Vector3d direction(const Eigen::Vector3d& x, double scale) {
+  const double length = x.stableNorm();
+  return length > least_length && length > least_sine * scale ? Eigen::Vector3d(x / length) : Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+Eigen::Vector3d unit_normal(const SurfaceJet& jet) {
+  const UnitJet j = unit_jet(jet);
+  if (j.regular) return j.su.cross(j.sv).normalized();
+
+  // S_u x S_v = h N' + O(h^2) along a direction of growing u or v; the larger N' decides.
+  const Eigen::Vector3d along_u = j.suu.cross(j.sv) + j.su.cross(j.suv);
+  const Eigen::Vector3d along_v = j.suv.cross(j.sv) + j.su.cross(j.svv);
+  const double size = std::max({j.suu.stableNorm(), j.suv.stableNorm(), j.svv.stableNorm()});
+  const bool prefer_u = along_u.stableNorm() >= along_v.stableNorm();
+  if (const Eigen::Vector3d n = direction(prefer_u ? along_u : along_v, size); !n.isZero(0)) return n;
+
+  // Both first-order terms vanish: second order along u, along v, along the diagonal.
+  const Eigen::Vector3d uu = direction(j.suu, 0), uv = direction(j.suv, 0), vv = direction(j.svv, 0);
+  for (const Eigen::Vector3d& candidate : {uu.cross(uv).eval(), uv.cross(vv).eval(), uu.cross(vv).eval()}) {
+    if (const Eigen::Vector3d n = direction(candidate, 1); !n.isZero(0)) return n;
+  }
+  return Eigen::Vector3d::UnitZ();
+}
+
+SurfaceCurvature curvature(const SurfaceJet& jet) {
+  const UnitJet j = unit_jet(jet);
+  if (!j.regular) return {};
+  const Eigen::Vector3d n = j.su.cross(j.sv).normalized();
+  // E = G = 1 in the stretched parameters; EG - F^2 as the square of the cross product does not cancel.
+  const double f_metric = j.su.dot(j.sv), area2 = j.su.cross(j.sv).squaredNorm();
+  const double e = n.dot(j.suu), f = n.dot(j.suv), g = n.dot(j.svv);
+  SurfaceCurvature result;
+  result.regular = true;
+  result.gaussian = (e * g - f * f) / area2;
+  result.mean = (e - 2 * f * f_metric + g) / (2 * area2);
+  const double root = std::sqrt(std::max(0.0, result.mean * result.mean - result.gaussian));
+  result.k_max = result.mean + root;
+  result.k_min = result.mean - root;
+  return result;
+}
+
+}  // namespace knotwork
