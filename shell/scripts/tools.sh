@@ -25,7 +25,7 @@ is_installed() { [[ $(dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null) =
 install_tools() {
   if on_debian; then
     local packages=(cmake ninja-build g++ emscripten libeigen3-dev libglm-dev nlohmann-json3-dev doctest-dev
-      ca-certificates)
+      ca-certificates xz-utils)
     if [[ $1 == test ]]; then
       packages+=(clang-format clang-tidy)
       find_chromium >/dev/null || packages+=(chromium)
