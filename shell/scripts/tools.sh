@@ -53,9 +53,15 @@ install_packages() {
   fi
   say "installing: $*"
   export DEBIAN_FRONTEND=noninteractive
-  # The package lists may be older than the archive, so refreshed once before.
-  apt-get -qq update
-  apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends "$@" </dev/null >/dev/null
+  local log
+  log=$(mktemp)
+  # The package lists may be older than the archive, so they are refreshed first.
+  if ! { apt-get -qq update && apt-get -qq -y install --no-install-recommends "$@"; } </dev/null >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    say "apt-get could not install: $*"
+    exit 1
+  fi
+  rm "$log"
 }
 
 require_commands() {
