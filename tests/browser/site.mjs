@@ -1,0 +1,167 @@
+// The built site, a browser, and pages on it. One browser a test file; a fresh context a test.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { dirname, extname, join, normalize, resolve } from 'node:path';
+import { createInterface } from 'node:readline';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const repository = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const siteFolder = join(repository, 'shell/dist');
+
+function chromiumPath() {
+  const { KNOTWORK_CHROMIUM, CHROMIUM } = process.env;
+  return KNOTWORK_CHROMIUM ?? CHROMIUM ?? '/usr/bin/chromium';
+}
+
+// Rendering in software on any machine, so that pictures do not depend on it; and a browser that calls nobody.
+const browserArguments = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
+const closing = [];
+after(async () => {
+  for (const close of closing.reverse()) await close();
+});
+
+function once(make) {
+  let made;
+  return () => (made ??= make());
+}
+
+/// The shell's own server on a port that the system chose; its address with a slash at the end.
+export const siteAddress = once(async () => {
+  assert.ok(existsSync(join(siteFolder, 'index.html')), 'the site is not built: run npm run build in shell/');
+  const server = spawn(process.execPath, [join(repository, 'shell/scripts/serve.mjs')], {
+    env: { ...process.env, PORT: '0' },
+    stdio: ['ignore', 'pipe', 'inherit'],
+  });
+  const ended = new Promise((done) => server.once('exit', done));
+  closing.push(async () => {
+    server.kill('SIGTERM');
+    await ended;
+  });
+  for await (const line of createInterface({ input: server.stdout })) {
+    const address = /http:\/\/[\w.:[\]]+\/?/.exec(line)?.[0];
+    if (address) return address.endsWith('/') ? address : `${address}/`;
+  }
+  throw new Error('the server ended before it told its address');
+});
+
+const plainTypes = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.woff2': 'font/woff2',
+};
+
+/// The same folder as a host without any knowledge of it would serve it: under a path, no headers beyond a type, and
+/// that unknown for WebAssembly.
+export async function plainHost(path) {
+  const server = createServer(async (request, response) => {
+    const name = decodeURIComponent(new URL(request.url, 'http://host').pathname);
+    const inside = name.startsWith(path) ? normalize(name.slice(path.length)) : undefined;
+    try {
+      if (inside === undefined || inside.startsWith('..')) throw new Error('outside');
+      const file = inside === '.' || inside.endsWith('/') ? join(inside, 'index.html') : inside;
+      const body = await readFile(join(siteFolder, file));
+      response.writeHead(200, { 'content-type': plainTypes[extname(file)] ?? 'application/octet-stream' }).end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+  return {
+    address: `http://127.0.0.1:${server.address().port}${path}`,
+    close: () => {
+      server.closeAllConnections();
+      return new Promise((done) => server.close(done));
+    },
+  };
+}
+
+export async function launch(extraArguments = []) {
+  const browser = await chromium.launch({
+    executablePath: chromiumPath(),
+    args: [...browserArguments, ...extraArguments],
+  });
+  return browser;
+}
+
+export const sharedBrowser = once(async () => {
+  const browser = await launch();
+  closing.push(() => browser.close());
+  return browser;
+});
+
+/// Everything on a page that a reader's console would show in red, and every request that leaves the site.
+function watch(page, origin, complaints) {
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(`console: ${message.text()} (${message.location().url})`);
+  });
+  page.on('pageerror', (error) => complaints.push(`uncaught: ${error.stack ?? error}`));
+  page.on('request', (request) => {
+    const url = new URL(request.url());
+    if (url.origin !== origin && !['data:', 'blob:'].includes(url.protocol)) complaints.push(`request: ${url}`);
+  });
+}
+
+/// Options: size [w, h] in CSS pixels; scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion;
+/// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page):
+/// runs before the page is opened; expected: patterns of complaints that the test provokes.
+export async function openPage(options = {}) {
+  const [width, height] = options.size ?? [1000, 620];
+  const browser = options.browser ?? (await sharedBrowser());
+  const context = await browser.newContext({
+    viewport: { width, height },
+    deviceScaleFactor: options.scale ?? 1,
+    hasTouch: options.touch ?? false,
+    isMobile: options.touch ?? false,
+    colorScheme: options.dark ? 'dark' : 'light',
+    reducedMotion: options.reducedMotion ? 'reduce' : 'no-preference',
+    javaScriptEnabled: options.scripts ?? true,
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(20000);
+  const address = options.address ?? (await siteAddress());
+  const complaints = [];
+  watch(page, new URL(address).origin, complaints);
+  await options.before?.(page);
+  await page.goto(address);
+  if (options.wait ?? true) {
+    await page.waitForFunction(() => window.knotwork);
+    await page.evaluate(() => window.knotwork.ready);
+  }
+  return {
+    page,
+    context,
+    complaints: () => complaints.filter((text) => !(options.expected ?? []).some((pattern) => pattern.test(text))),
+    close: () => context.close(),
+  };
+}
+
+/// A test on a page of its own. It fails when the browser has complained about anything.
+export function pageTest(name, options, body) {
+  test(name, async () => {
+    const opened = await openPage(options);
+    try {
+      await body(opened.page, opened);
+      assert.deepEqual(opened.complaints(), [], 'the browser complained');
+    } finally {
+      await opened.close();
+    }
+  });
+}
