@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "knotwork/scene/commands.h"
@@ -11,6 +12,7 @@
 #include "web/camera.h"
 #include "web/gizmo.h"
 #include "web/input.h"
+#include "web/patch_drag.h"
 
 namespace knotwork::web {
 
@@ -26,7 +28,8 @@ struct Handle {
 std::string handle_id(scene::PatchIndex patch);
 std::optional<scene::PatchIndex> handle_patch(std::string_view id);
 
-/// What an interaction looks at. Nothing in here is changed by it.
+/// What an interaction looks at. Nothing in here is changed by it. The document is up to date (the commands of the last
+/// outcome are applied before the next event); surface, net, view and handles are those of the last frame.
 struct Stage {
   const scene::Document& document;
   const BlendingSurface& surface;
@@ -39,45 +42,57 @@ struct Stage {
 struct InteractionState {
   std::optional<scene::PatchIndex> selected, hovered;
   std::optional<GizmoPart> hovered_part;
-  /// The surface point under the resting pointer, for the probe.
+  /// The surface point under the resting pointer, for the probe; on touch, the point tapped last.
   std::optional<glm::dvec2> probe;  ///< (u, v)
 
   struct Pointer {
     PointerDevice device;
     glm::dvec2 position, start;
     double start_time;
-    bool moved;
+    bool moved;  ///< farther than a tap may
   };
   std::map<int, Pointer> pointers;  ///< those that are down
   std::optional<glm::dvec2> last_tap;
   double last_tap_time = 0;
 
-  enum class Drag : unsigned char { none, handle, gizmo, orbit, pan, pinch };
+  /// `rest`: pointers are down that do nothing any more until all are up (after a pinch, after Escape).
+  enum class Drag : unsigned char { none, handle, gizmo, orbit, pan, pinch, rest };
   Drag drag = Drag::none;
-  int drag_pointer = -1;
+  int drag_pointer = -1, second_pointer = -1;  ///< the second of a pinch
   GizmoPart drag_part = GizmoPart::turn_normal;
-  scene::PatchEdit edit_at_start;
-  glm::dvec3 handle_at_start{0};
-  glm::dvec2 grab_offset{0};  ///< from the handle's screen position to the pointer, so that nothing jumps
+  PatchDrag held;              ///< of a handle or gizmo drag
+  bool gesture_open = false;   ///< the drag has begun its history entry
+  double gesture_time = 0;     ///< when it did
+  bool nudging = false;        ///< an arrow key is held down and its history entry open
 };
 
-/// What one event comes to.
+/// What one event comes to, to be carried out in the order of the members: begin the gesture, perform the commands, end
+/// or cancel the gesture, then the rest.
 struct Outcome {
+  bool begin_gesture = false;
   std::vector<scene::Command> commands;  ///< in order
-  bool begin_gesture = false, end_gesture = false, cancel_gesture = false;
+  bool end_gesture = false, cancel_gesture = false;
+  bool undo = false, redo = false, toggle_play = false;
   bool frame_all = false;  ///< double click: bring the whole surface into view
   bool redraw = false;
   bool used = false;       ///< the page should not act on the event too
-  bool undo = false, redo = false, toggle_play = false;
   std::string notice;      ///< for the live region: "Patch 2, 1 selected"
 };
 
 Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event);
+/// Only with Ctrl or Meta held: zooms about the pointer. A plain wheel belongs to the page.
 Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& event);
 /// Arrows move the selected patch a little in the view plane (Shift: finer; Page Up/Down along the normal), `[` and `]`
 /// select the neighbour, Delete resets the selected patch, Escape cancels a drag or the selection, + - zoom, 0 or Home
 /// frames, Space plays and pauses, Ctrl+Z / Ctrl+Shift+Z / Ctrl+Y undo and redo. Tab is never used.
 Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event);
+
+/// For a frame of the animation: what is held stays under the resting pointer while its patch moves.
+Outcome hold(const InteractionState& state, const Stage& stage);
+/// The stage lost the focus: keys that are down will not be seen going up.
+Outcome blur(InteractionState& state);
+/// Selects a handle or (nothing) none, as by a click; used by the page's own controls.
+Outcome select(InteractionState& state, const Stage& stage, std::optional<scene::PatchIndex> patch);
 
 /// A CSS cursor for the present state.
 const char* cursor(const InteractionState& state);

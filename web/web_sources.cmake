@@ -3,6 +3,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   camera.cpp
   gizmo.cpp
   interaction.cpp
+  patch_drag.cpp
   theme.cpp)
 
 # The browser's part.
@@ -15,7 +16,8 @@ set(KNOTWORK_WEB_APP_SOURCES
   main.cpp
   panels.cpp
   renderer.cpp
-  script_interface.cpp)
+  script_interface.cpp
+  stage_ornaments.cpp)
 
 set(KNOTWORK_SHADERS
   shaders/background.frag

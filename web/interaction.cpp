@@ -1,0 +1,547 @@
+#include "web/interaction.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "web/vectors.h"
+
+namespace knotwork::web {
+namespace {
+
+using Drag = InteractionState::Drag;
+
+// CSS pixels and milliseconds. A finger covers what it points at, so it reaches farther than a mouse.
+struct Reach {
+  double handle, gizmo, moved;
+  double core;  ///< so near to the selected handle its gizmo's edge-on rings give way to it
+};
+constexpr Reach fine{12, 8, 3, 9}, coarse{24, 18, 6, 16};
+constexpr double double_tap_time = 350, double_tap_reach = 24;
+// A second finger within this time of the first movement means that a pinch was wanted all along.
+constexpr double just_begun = 500;
+constexpr double least_spread = 8;  // between two fingers; nearer, their quotient is noise
+constexpr double nudge = 8, fine_nudge = 1;
+constexpr double key_zoom = 1.2;
+
+// A wheel's notch (100 pixels or more) zooms by exp(0.0022 delta); the small steps of a trackpad's pinch by the factor
+// that browsers themselves use for it. Between them the exponent stands still, so that it never falls.
+constexpr double wheel_rate = 0.0022, pinch_rate = 0.01, notch = 100, largest_exponent = 0.6;
+
+const Reach& reach(PointerDevice device) { return device == PointerDevice::touch ? coarse : fine; }
+
+bool finite(glm::dvec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+std::string patch_name(scene::PatchIndex patch) {
+  return "Patch " + std::to_string(patch.first) + ", " + std::to_string(patch.second);
+}
+
+const char* deed(const InteractionState& state) {
+  if (state.drag != Drag::gizmo || state.drag_part == GizmoPart::move_normal) return " moved";
+  return turns(state.drag_part) ? " turned" : " scaled";
+}
+
+const scene::BlendingSurfaceObject& object(const Stage& stage) { return scene::blending_surface(stage.document); }
+
+PatchScene patch_scene(const Stage& stage) {
+  return {object(stage), stage.document.animation, stage.surface, stage.view};
+}
+
+/// In the document and, should that be a frame ahead, on the stage.
+bool exists(const Stage& stage, scene::PatchIndex patch) {
+  const auto& [i, j] = patch;
+  return i >= 0 && j >= 0 && i < std::min(object(stage).locals_u, stage.surface.knots_u().count()) &&
+         j < std::min(object(stage).locals_v, stage.surface.knots_v().count());
+}
+
+bool holds_patch(const InteractionState& state) { return state.drag == Drag::handle || state.drag == Drag::gizmo; }
+
+/// The camera's view as the document has it now; several events may come between two frames.
+View present_view(const Stage& stage) { return make_view(stage.document.camera, stage.view.viewport); }
+
+void set_camera(Outcome& outcome, const Stage& stage, const scene::Camera& camera) {
+  if (camera == stage.document.camera) return;
+  outcome.commands.emplace_back(scene::SetCamera{camera});
+  outcome.redraw = true;
+}
+
+void set_edit(Outcome& outcome, const Stage& stage, scene::PatchIndex patch, const scene::PatchEdit& edit) {
+  if (edit == edit_of(object(stage), patch)) return;
+  outcome.commands.emplace_back(scene::SetPatchEdit{patch, edit});
+  outcome.redraw = true;
+}
+
+void end_nudge(InteractionState& state, Outcome& outcome) {
+  outcome.end_gesture = outcome.end_gesture || state.nudging;
+  state.nudging = false;
+}
+
+/// Lets go of a patch: its gesture ends, or is taken back. The pointer may still be down.
+void let_go(InteractionState& state, Outcome& outcome, bool cancelled) {
+  if (state.gesture_open) {
+    (cancelled ? outcome.cancel_gesture : outcome.end_gesture) = true;
+    if (!cancelled) outcome.notice = patch_name(state.held.patch) + deed(state);
+  }
+  state.gesture_open = false;
+  outcome.redraw = true;
+}
+
+/// Patches may have gone since the last event, by another number of local surfaces or another document.
+void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcome) {
+  if (state.selected && !exists(stage, *state.selected)) {
+    if (holds_patch(state)) {
+      let_go(state, outcome, false);
+      outcome.notice.clear();
+      state.drag = Drag::rest;
+    }
+    end_nudge(state, outcome);
+    state.selected.reset();
+    state.hovered_part.reset();
+    outcome.redraw = true;
+  }
+  if (state.hovered && !exists(stage, *state.hovered)) {
+    state.hovered.reset();
+    outcome.redraw = true;
+  }
+}
+
+struct Target {
+  std::optional<GizmoPart> part;
+  std::optional<scene::PatchIndex> handle;
+};
+
+std::optional<scene::PatchIndex> nearest_handle(const Stage& stage, glm::dvec2 position, double within) {
+  const Handle* nearest = nullptr;
+  double best = 0;
+  for (const Handle& handle : stage.handles) {
+    if (!handle.screen || !exists(stage, handle.patch)) continue;
+    const double distance = glm::length(glm::dvec2(*handle.screen) - position);
+    if (!(distance <= within)) continue;
+    if (!nearest || handle.hidden < nearest->hidden || (handle.hidden == nearest->hidden && distance < best)) {
+      nearest = &handle;
+      best = distance;
+    }
+  }
+  return nearest ? std::optional(nearest->patch) : std::nullopt;
+}
+
+Target target(const InteractionState& state, const Stage& stage, glm::dvec2 position, PointerDevice device) {
+  if (!stage.document.display.handles) return {};
+  const Reach& within = reach(device);
+  if (state.selected) {
+    const Gizmo gizmo = make_gizmo(stage.surface, object(stage), *state.selected, stage.view);
+    const std::optional<glm::dvec3> centre = stage.view.project(gizmo.origin);
+    if (centre && glm::length(glm::dvec2(*centre) - position) <= within.core) return {{}, state.selected};
+    if (const auto part = pick_gizmo(gizmo, stage.view, position, within.gizmo)) return {part, {}};
+  }
+  return {{}, nearest_handle(stage, position, within.handle)};
+}
+
+std::optional<glm::dvec2> surface_point(const Stage& stage, glm::dvec2 position) {
+  const std::optional<scene::SurfaceHit> hit = stage.net.pick(stage.surface, stage.view.ray(position));
+  return hit ? std::optional(glm::dvec2(hit->u, hit->v)) : std::nullopt;
+}
+
+void set_hover(InteractionState& state, Outcome& outcome, const Target& under, std::optional<glm::dvec2> probe) {
+  if (state.hovered == under.handle && state.hovered_part == under.part && state.probe == probe) return;
+  state.hovered = under.handle;
+  state.hovered_part = under.part;
+  state.probe = probe;
+  outcome.redraw = true;
+}
+
+void hover(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+  if (event.device == PointerDevice::touch) return;
+  set_hover(state, outcome, target(state, stage, event.position, event.device), surface_point(stage, event.position));
+}
+
+void change_selection(InteractionState& state, Outcome& outcome, std::optional<scene::PatchIndex> patch) {
+  if (state.selected == patch) return;
+  end_nudge(state, outcome);
+  outcome.notice = patch ? patch_name(*patch) + " selected" : patch_name(*state.selected) + " let go";
+  state.selected = patch;
+  state.hovered_part.reset();
+  outcome.redraw = true;
+}
+
+/// A press and release without a movement, away from handles and gizmo.
+void tap(InteractionState& state, const Stage& stage, Outcome& outcome, const InteractionState::Pointer& pressed,
+         double time) {
+  const double pause = pressed.start_time - state.last_tap_time;
+  if (state.last_tap && pause >= 0 && pause <= double_tap_time &&
+      glm::length(pressed.start - *state.last_tap) <= double_tap_reach) {
+    state.last_tap.reset();
+    outcome.frame_all = outcome.redraw = true;
+    return;
+  }
+  state.last_tap = pressed.start;
+  state.last_tap_time = time;
+  change_selection(state, outcome, std::nullopt);
+  // Fingers do not hover; where they tap is where they want to know.
+  if (pressed.device == PointerDevice::touch) set_hover(state, outcome, {}, surface_point(stage, pressed.position));
+}
+
+void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+  state.drag_pointer = event.id;
+  state.drag = Drag::rest;
+  if (event.button == 1 || event.button == 2) state.drag = Drag::pan;
+  if (event.button != 0) return;
+
+  const Target under = target(state, stage, event.position, event.device);
+  if (!under.part && !under.handle) {
+    state.drag = event.modifiers.shift ? Drag::pan : Drag::orbit;
+    return;
+  }
+  state.last_tap.reset();
+  if (under.handle) change_selection(state, outcome, under.handle);
+  state.drag = under.part ? Drag::gizmo : Drag::handle;
+  state.drag_part = under.part.value_or(state.drag_part);
+  state.held = take_hold(patch_scene(stage), *state.selected, under.part, event.position);
+  set_hover(state, outcome, under, state.probe);
+  outcome.redraw = true;
+}
+
+void begin_pinch(InteractionState& state, Outcome& outcome, int first, const PointerEvent& event) {
+  if (holds_patch(state)) let_go(state, outcome, event.time - state.gesture_time <= just_begun);
+  state.drag = Drag::pinch;
+  state.drag_pointer = first;
+  state.second_pointer = event.id;
+  state.last_tap.reset();
+}
+
+void continue_pinch(const InteractionState& state, const Stage& stage, Outcome& outcome, int moved, glm::dvec2 before) {
+  const glm::dvec2 now = state.pointers.at(moved).position;
+  const glm::dvec2 other =
+      state.pointers.at(moved == state.drag_pointer ? state.second_pointer : state.drag_pointer).position;
+  const double factor =
+      std::max(glm::length(now - other), least_spread) / std::max(glm::length(before - other), least_spread);
+  const scene::Camera zoomed = zoom(stage.document.camera, factor, 0.5 * (before + other), present_view(stage));
+  set_camera(outcome, stage, pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport)));
+}
+
+void drag_patch(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+  if (!state.gesture_open) {
+    outcome.begin_gesture = true;
+    state.gesture_open = true;
+    state.gesture_time = event.time;
+  }
+  const scene::PatchEdit edit = drag_to(state.held, patch_scene(stage), event.position, event.modifiers.shift);
+  set_edit(outcome, stage, state.held.patch, edit);
+}
+
+void move(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+  InteractionState::Pointer& pointer = state.pointers.at(event.id);
+  glm::dvec2 before = pointer.position;
+  pointer.position = event.position;
+  if (!pointer.moved) {
+    const double way = glm::length(event.position - pointer.start);
+    const double slack = reach(pointer.device).moved;
+    if (way > slack) {
+      pointer.moved = true;
+      // What a tap may wander is taken off a camera's drag, which so begins without a jerk.
+      before = pointer.start + slack / way * (event.position - pointer.start);
+    }
+  }
+
+  if (state.drag == Drag::pinch) {
+    if (event.id == state.drag_pointer || event.id == state.second_pointer) {
+      continue_pinch(state, stage, outcome, event.id, before);
+    }
+    return;
+  }
+  if (event.id != state.drag_pointer || !pointer.moved) return;
+  if (holds_patch(state)) {
+    drag_patch(state, stage, outcome, event);
+  } else if (state.drag == Drag::orbit || state.drag == Drag::pan) {
+    state.last_tap.reset();
+    set_hover(state, outcome, {}, std::nullopt);
+    const glm::dvec2 way = event.position - before;
+    set_camera(outcome, stage,
+               state.drag == Drag::orbit ? orbit(stage.document.camera, way, stage.view.viewport)
+                                         : pan(stage.document.camera, way, present_view(stage)));
+  }
+}
+
+/// A pointer goes: up, cancelled, or replaced by a second press whose release was lost.
+void release(InteractionState& state, const Stage& stage, Outcome& outcome, int id, std::optional<double> tap_time,
+             bool cancelled) {
+  const InteractionState::Pointer pointer = state.pointers.at(id);
+  state.pointers.erase(id);
+  const bool one_of_pinch = state.drag == Drag::pinch && (id == state.drag_pointer || id == state.second_pointer);
+  if (one_of_pinch) {
+    state.drag = Drag::rest;
+  } else if (id == state.drag_pointer && state.drag != Drag::pinch) {
+    if (holds_patch(state)) let_go(state, outcome, cancelled);
+    if (state.drag == Drag::orbit && !pointer.moved && tap_time) tap(state, stage, outcome, pointer, *tap_time);
+    state.drag = Drag::rest;
+  }
+  if (state.pointers.empty()) {
+    state.drag = Drag::none;
+    state.drag_pointer = state.second_pointer = -1;
+  }
+}
+
+void press(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+  end_nudge(state, outcome);
+  if (state.pointers.contains(event.id)) release(state, stage, outcome, event.id, std::nullopt, false);
+  const auto other = std::find_if(state.pointers.begin(), state.pointers.end(),
+                                  [](const auto& entry) { return entry.second.device == PointerDevice::touch; });
+  const bool second_finger = event.device == PointerDevice::touch && other != state.pointers.end();
+  const int first = second_finger ? other->first : -1;
+  const bool alone = state.pointers.empty();
+  state.pointers[event.id] = {event.device, event.position, event.position, event.time, false};
+  if (alone) {
+    begin_drag(state, stage, outcome, event);
+  } else if (second_finger && state.drag != Drag::pinch) {
+    begin_pinch(state, outcome, first, event);
+  }
+}
+
+struct NudgeKey {
+  std::string_view key;
+  glm::dvec3 direction;  ///< right, up, along the normal
+};
+constexpr NudgeKey nudge_keys[] = {
+    {"ArrowLeft", {-1, 0, 0}}, {"ArrowRight", {1, 0, 0}}, {"ArrowUp", {0, 1, 0}},
+    {"ArrowDown", {0, -1, 0}}, {"PageUp", {0, 0, 1}},     {"PageDown", {0, 0, -1}},
+};
+const NudgeKey* find_nudge(std::string_view key) {
+  const auto* found = std::find_if(std::begin(nudge_keys), std::end(nudge_keys),
+                                   [key](const NudgeKey& row) { return row.key == key; });
+  return found == std::end(nudge_keys) ? nullptr : found;
+}
+
+void nudge_patch(InteractionState& state, const Stage& stage, Outcome& outcome, const NudgeKey& row, bool finer) {
+  const scene::PatchIndex patch = *state.selected;
+  const PatchScene scene = patch_scene(stage);
+  const double step = (finer ? fine_nudge : nudge) * stage.view.pixel_size(document_origin(scene, patch));
+  const glm::dvec3 normal = to_glm(scene::patch_frame(stage.surface, patch))[2];
+  const glm::dvec3 offset =
+      row.direction.x * stage.view.right + row.direction.y * stage.view.up + row.direction.z * normal;
+  outcome.begin_gesture = !state.nudging;
+  state.nudging = true;
+  set_edit(outcome, stage, patch, moved_by(scene, patch, step * offset));
+  outcome.notice = patch_name(patch) + " moved";
+}
+
+void reset_patch(InteractionState& state, const Stage& stage, Outcome& outcome) {
+  end_nudge(state, outcome);
+  set_edit(outcome, stage, *state.selected, {});
+  outcome.notice = patch_name(*state.selected) + (outcome.commands.empty() ? " is as it was" : " reset");
+}
+
+void select_neighbour(InteractionState& state, const Stage& stage, Outcome& outcome, int step) {
+  const int rows = object(stage).locals_v, count = object(stage).locals_u * rows;
+  // From nothing, forwards comes to the first and backwards to the last.
+  const int present = state.selected ? state.selected->first * rows + state.selected->second : step > 0 ? -1 : count;
+  const int next = (present + step + count) % count;
+  const scene::PatchIndex patch{next / rows, next % rows};
+  if (exists(stage, patch)) change_selection(state, outcome, patch);
+}
+
+void zoom_about_target(Outcome& outcome, const Stage& stage, double factor) {
+  set_camera(outcome, stage,
+             zoom(stage.document.camera, factor, free_area(stage.view.viewport).centre, present_view(stage)));
+}
+
+void escape(InteractionState& state, Outcome& outcome) {
+  if (state.drag != Drag::none && state.drag != Drag::rest) {
+    if (holds_patch(state)) let_go(state, outcome, true);
+    state.drag = Drag::rest;
+    outcome.used = true;
+  } else if (state.nudging) {
+    outcome.cancel_gesture = outcome.redraw = outcome.used = true;
+    state.nudging = false;
+  } else if (state.selected) {
+    change_selection(state, outcome, std::nullopt);
+    outcome.used = true;
+  }
+}
+
+/// Undo and redo; other shortcuts are the browser's.
+void shortcut(InteractionState& state, Outcome& outcome, std::string_view key, bool shift) {
+  const bool z = key == "z" || key == "Z", y = key == "y" || key == "Y";
+  if (!z && !y) return;
+  outcome.used = true;
+  if (holds_patch(state)) return;
+  end_nudge(state, outcome);
+  (z && !shift ? outcome.undo : outcome.redo) = true;
+}
+
+/// Keys that act on the selected patch; without one they are the page's.
+void patch_key(InteractionState& state, const Stage& stage, Outcome& outcome, const KeyEvent& event) {
+  if (const NudgeKey* row = find_nudge(event.key)) {
+    nudge_patch(state, stage, outcome, *row, event.modifiers.shift);
+    outcome.used = true;
+  } else if (event.key == "Delete" || event.key == "Backspace") {  // what a Mac's keyboard calls delete
+    reset_patch(state, stage, outcome);
+    outcome.used = true;
+  }
+}
+
+void stage_key(InteractionState& state, const Stage& stage, Outcome& outcome, std::string_view key) {
+  outcome.used = true;
+  if (key == "[") {
+    select_neighbour(state, stage, outcome, -1);
+  } else if (key == "]") {
+    select_neighbour(state, stage, outcome, 1);
+  } else if (key == "+" || key == "=") {
+    zoom_about_target(outcome, stage, key_zoom);
+  } else if (key == "-" || key == "_") {
+    zoom_about_target(outcome, stage, 1 / key_zoom);
+  } else if (key == "0" || key == "Home") {
+    outcome.frame_all = outcome.redraw = true;
+  } else if (key == " ") {
+    outcome.toggle_play = outcome.redraw = true;
+  } else {
+    outcome.used = false;
+  }
+}
+
+std::optional<int> index_from(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  // One spelling for each patch: no sign, no leading zeros.
+  if (!whole || value < 0 || std::to_string(value) != text) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string handle_id(scene::PatchIndex patch) {
+  return "patch-" + std::to_string(patch.first) + "-" + std::to_string(patch.second);
+}
+
+std::optional<scene::PatchIndex> handle_patch(std::string_view id) {
+  constexpr std::string_view prefix = "patch-";
+  if (!id.starts_with(prefix)) return std::nullopt;
+  const std::string_view rest = id.substr(prefix.size());
+  const std::size_t dash = rest.find('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const std::optional<int> i = index_from(rest.substr(0, dash)), j = index_from(rest.substr(dash + 1));
+  if (!i || !j) return std::nullopt;
+  return scene::PatchIndex(*i, *j);
+}
+
+Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event) {
+  Outcome outcome;
+  forget_missing(state, stage, outcome);
+  const bool finite_event = finite(event.position) && std::isfinite(event.time);
+  const bool known = state.pointers.contains(event.id);
+  // Even without a usable position a pointer that goes must not stay down for ever.
+  if (!finite_event && !(known && (event.type == PointerType::up || event.type == PointerType::cancel))) {
+    return outcome;
+  }
+
+  switch (event.type) {
+    case PointerType::down:
+      press(state, stage, outcome, event);
+      outcome.used = true;
+      break;
+    case PointerType::move:
+      if (known) move(state, stage, outcome, event);
+      if (!known && state.pointers.empty()) hover(state, stage, outcome, event);
+      outcome.used = known;
+      break;
+    case PointerType::up:
+      if (!known) break;
+      if (finite_event && event.position != state.pointers.at(event.id).position) move(state, stage, outcome, event);
+      release(state, stage, outcome, event.id, finite_event ? std::optional(event.time) : std::nullopt, false);
+      if (finite_event && state.pointers.empty()) hover(state, stage, outcome, event);
+      outcome.used = true;
+      break;
+    case PointerType::cancel:
+      if (!known) break;
+      release(state, stage, outcome, event.id, std::nullopt, true);
+      outcome.used = true;
+      break;
+    case PointerType::leave:
+      if (state.pointers.empty() && event.device != PointerDevice::touch) set_hover(state, outcome, {}, std::nullopt);
+      break;
+  }
+  return outcome;
+}
+
+Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& event) {
+  Outcome outcome;
+  forget_missing(state, stage, outcome);
+  if (!(event.modifiers.control || event.modifiers.meta)) return outcome;
+  if (!finite(event.position) || !finite(event.delta)) return outcome;
+  const double way = std::abs(event.delta.y);
+  const double exponent = std::min(
+      std::max(std::min(pinch_rate * way, wheel_rate * notch), wheel_rate * way), largest_exponent);
+  const double factor = std::exp(std::copysign(exponent, -event.delta.y));
+  set_camera(outcome, stage, zoom(stage.document.camera, factor, event.position, present_view(stage)));
+  outcome.used = true;
+  return outcome;
+}
+
+Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event) {
+  Outcome outcome;
+  forget_missing(state, stage, outcome);
+  if (!event.down) {
+    if (state.nudging && find_nudge(event.key)) {
+      end_nudge(state, outcome);
+      outcome.used = true;
+    }
+    return outcome;
+  }
+  if (event.modifiers.alt) return outcome;
+  if (event.modifiers.control || event.modifiers.meta) {
+    shortcut(state, outcome, event.key, event.modifiers.shift);
+    return outcome;
+  }
+  if (event.key == "Escape") {
+    escape(state, outcome);
+    return outcome;
+  }
+  if (holds_patch(state) && event.key != " ") {
+    // A hand is on the patch: keys that would act on it wait, and the page must not scroll away under it either.
+    outcome.used = event.key != "Tab" && event.key != "Shift";
+    return outcome;
+  }
+  if (state.selected) patch_key(state, stage, outcome, event);
+  if (!outcome.used) stage_key(state, stage, outcome, event.key);
+  return outcome;
+}
+
+Outcome hold(const InteractionState& state, const Stage& stage) {
+  Outcome outcome;
+  if (!holds_patch(state) || !state.gesture_open || !exists(stage, state.held.patch)) return outcome;
+  PatchDrag still = state.held;
+  if (still.part && still.part != GizmoPart::move_normal) return outcome;
+  set_edit(outcome, stage, still.patch, drag_to(still, patch_scene(stage), still.pointer, still.along_axis));
+  return outcome;
+}
+
+Outcome blur(InteractionState& state) {
+  Outcome outcome;
+  end_nudge(state, outcome);
+  return outcome;
+}
+
+Outcome select(InteractionState& state, const Stage& stage, std::optional<scene::PatchIndex> patch) {
+  Outcome outcome;
+  forget_missing(state, stage, outcome);
+  if (holds_patch(state) || (patch && !exists(stage, *patch))) return outcome;
+  change_selection(state, outcome, patch);
+  return outcome;
+}
+
+const char* cursor(const InteractionState& state) {
+  switch (state.drag) {
+    case Drag::handle:
+    case Drag::gizmo:
+    case Drag::orbit: return "grabbing";
+    case Drag::pan:
+    case Drag::pinch: return "move";
+    case Drag::none:
+    case Drag::rest: break;
+  }
+  return state.hovered || state.hovered_part ? "grab" : "default";
+}
+
+}  // namespace knotwork::web

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace knotwork::web {
+
+// The core speaks Eigen, the front end GLM; this is where they meet.
+
+inline glm::dvec3 to_glm(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+inline Eigen::Vector3d to_eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+inline glm::dmat3 to_glm(const Eigen::Matrix3d& m) {
+  return {to_glm(Eigen::Vector3d(m.col(0))), to_glm(Eigen::Vector3d(m.col(1))), to_glm(Eigen::Vector3d(m.col(2)))};
+}
+
+}  // namespace knotwork::web
