@@ -39,10 +39,22 @@ struct PanelInput {
   std::string notice;  ///< a refusal or hint to show for a moment, may be empty
 };
 
-/// State of the panels alone (what is folded, the drawer); one struct, passed by reference.
+/// State of the panels alone (what is folded, the drawer, what is fading out); one struct, passed by reference.
 struct PanelState {
   bool drawer_open = false;
-  bool show_more = false;  ///< the display and motion rows
+  bool show_more = false;  ///< the display, sampling and motion rows
+
+  float drawer_share = 0, more_share = 0, probe_share = 0, notice_share = 0;  ///< how far each has come into view
+  float card_height = 0;  ///< as measured in the last frame, CSS pixels
+  std::optional<Probe> last_probe;  ///< stays while it fades
+  std::string last_notice;
+  bool slider_held = false;  ///< a gesture is open
+  struct FingerScroll {
+    std::string window;  ///< whose rows the finger is on; empty when on none
+    float start = 0, scroll_at_start = 0;
+    bool moving = false;
+  } finger;
+  std::vector<std::vector<float>> thumbnails;  ///< the little plots in the list of blending functions
 };
 
 struct PanelOutput {

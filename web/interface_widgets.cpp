@@ -1,0 +1,507 @@
+#include "web/interface_widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace knotwork::web {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+constexpr float segment_padding = 9;  ///< CSS pixels at either side of a segment's word
+constexpr float inset = 2;            ///< of the chosen segment in its track
+
+ImFont* font_of(const Interface& ui, Face face) {
+  switch (face) {
+    case Face::bold: return ui.fonts.bold;
+    case Face::small: return ui.fonts.small;
+    case Face::regular: break;
+  }
+  return ui.fonts.regular;
+}
+
+float size_of(const Interface& ui, Face face) {
+  const float size = face == Face::small ? small_text_height : text_height;
+  return ui.touch ? size + 1 : size;
+}
+
+/// A stretch of text that is all subscript or all on the line; subscripts as plain figures.
+struct Run {
+  std::string words;
+  bool subscript;
+};
+
+/// U+2080..U+2089 are the bytes E2 82 80 .. E2 82 89.
+std::vector<Run> runs(std::string_view text) {
+  std::vector<Run> out;
+  const auto append = [&](std::string_view bytes, bool subscript) {
+    if (out.empty() || out.back().subscript != subscript) out.push_back({{}, subscript});
+    out.back().words += bytes;
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const auto last = i + 2 < text.size() ? static_cast<unsigned char>(text[i + 2]) : 0U;
+    if (text.substr(i, 2) == "\xE2\x82" && last >= 0x80 && last <= 0x89) {
+      append(std::string(1, static_cast<char>('0' + static_cast<int>(last - 0x80))), true);
+      i += 3;
+    } else {
+      append(text.substr(i, 1), false);
+      ++i;
+    }
+  }
+  return out;
+}
+
+constexpr float subscript_share = 0.72F;
+
+float run_width(const Interface& ui, Face face, const Run& run) {
+  const float size = size_of(ui, face) * (run.subscript ? subscript_share : 1);
+  return font_of(ui, face)->CalcTextSizeA(size, FLT_MAX, 0, run.words.data(), run.words.data() + run.words.size()).x;
+}
+
+ImGuiID id_of(std::string_view label) { return ImGui::GetID(label.data(), label.data() + label.size()); }
+
+ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+
+void fill(ImDrawList& list, const Rect& rect, ImU32 ink, float rounding) {
+  list.AddRectFilled(rect.min(), rect.max(), ink, rounding);
+}
+
+/// A line of one CSS pixel that lies on whole pixels.
+void outline(ImDrawList& list, const Rect& rect, ImU32 ink, float rounding, float thickness = 1) {
+  const float half = thickness / 2;
+  list.AddRect({rect.x + half, rect.y + half}, {rect.x + rect.width - half, rect.y + rect.height - half}, ink,
+               rounding - half, 0, thickness);
+}
+
+/// A polyline given on a grid of 16 x 16 that is centred at `centre`.
+template <std::size_t n>
+void strokes(ImDrawList& list, ImVec2 centre, float unit, const std::array<ImVec2, n>& points, ImU32 ink,
+             float thickness) {
+  for (const ImVec2& point : points) list.PathLineTo({centre.x + (point.x - 8) * unit, centre.y + (point.y - 8) * unit});
+  list.PathStroke(ink, 0, thickness);
+}
+
+void chevron(ImDrawList& list, ImVec2 centre, float size, float turn, ImU32 ink) {
+  // Points down at turn 0 and up at turn 1.
+  const float flip = 1 - 2 * turn;
+  list.PathLineTo({centre.x - size, centre.y - size / 2 * flip});
+  list.PathLineTo({centre.x, centre.y + size / 2 * flip});
+  list.PathLineTo({centre.x + size, centre.y - size / 2 * flip});
+  list.PathStroke(ink, 0, 1.5F);
+}
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink) {
+  const float thickness = 1.5F * unit;
+  const auto at = [&](float x, float y) { return ImVec2{centre.x + (x - 8) * unit, centre.y + (y - 8) * unit}; };
+  switch (icon) {
+    case Icon::undo:
+      list.PathLineTo(at(3, 6));
+      list.PathArcTo(at(9.5F, 9.5F), 3.5F * unit, -pi / 2, pi / 2, 16);
+      list.PathLineTo(at(6, 13));
+      list.PathStroke(ink, 0, thickness);
+      strokes<3>(list, centre, unit, {{{6, 3}, {3, 6}, {6, 9}}}, ink, thickness);
+      break;
+    case Icon::redo:
+      list.PathLineTo(at(13, 6));
+      list.PathArcTo(at(6.5F, 9.5F), 3.5F * unit, -pi / 2, -3 * pi / 2, 16);
+      list.PathLineTo(at(10, 13));
+      list.PathStroke(ink, 0, thickness);
+      strokes<3>(list, centre, unit, {{{10, 3}, {13, 6}, {10, 9}}}, ink, thickness);
+      break;
+    case Icon::reset:
+      list.PathArcTo(at(8, 8), 5 * unit, -pi * 0.75F, pi * 0.92F, 28);
+      list.PathStroke(ink, 0, thickness);
+      strokes<3>(list, centre, unit, {{{3.4F, 1.6F}, {4.2F, 5.0F}, {7.7F, 4.6F}}}, ink, thickness);
+      break;
+    case Icon::frame:
+      strokes<3>(list, centre, unit, {{{2.5F, 5.5F}, {2.5F, 2.5F}, {5.5F, 2.5F}}}, ink, thickness);
+      strokes<3>(list, centre, unit, {{{10.5F, 2.5F}, {13.5F, 2.5F}, {13.5F, 5.5F}}}, ink, thickness);
+      strokes<3>(list, centre, unit, {{{13.5F, 10.5F}, {13.5F, 13.5F}, {10.5F, 13.5F}}}, ink, thickness);
+      strokes<3>(list, centre, unit, {{{5.5F, 13.5F}, {2.5F, 13.5F}, {2.5F, 10.5F}}}, ink, thickness);
+      list.AddCircleFilled(centre, 1.6F * unit, ink);
+      break;
+    case Icon::close:
+      strokes<2>(list, centre, unit, {{{4, 4}, {12, 12}}}, ink, thickness);
+      strokes<2>(list, centre, unit, {{{12, 4}, {4, 12}}}, ink, thickness);
+      break;
+    case Icon::sliders:
+      strokes<2>(list, centre, unit, {{{2, 5}, {14, 5}}}, ink, thickness);
+      strokes<2>(list, centre, unit, {{{2, 11}, {14, 11}}}, ink, thickness);
+      list.AddCircleFilled(at(10, 5), 2.4F * unit, ink);
+      list.AddCircleFilled(at(5.5F, 11), 2.4F * unit, ink);
+      break;
+  }
+}
+
+/// How strongly an item answers to the pointer, eased: 0 at rest, 1 hovered.
+float warmth(Interface& ui, std::string_view id, const Press& press) {
+  return eased(ui, id_of(std::string(id) + "#warmth"), press.hovered || press.held ? 1.0F : 0.0F);
+}
+
+}  // namespace
+
+ImU32 colour(const Colour& srgb, float opacity) {
+  return ImGui::ColorConvertFloat4ToU32({srgb[0], srgb[1], srgb[2], opacity});
+}
+
+Colour mixed(const Colour& from, const Colour& to, float share) {
+  Colour out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = from[i] + (to[i] - from[i]) * share;
+  return out;
+}
+
+Colour as_text(const Theme& theme, const Colour& hue) { return mixed(hue, theme.ink, theme.dark ? 0.08F : 0.32F); }
+
+float eased(Interface& ui, float& value, float target, float seconds) {
+  if (ui.reduced_motion) value = target;
+  // After an idle time the first frame's step would be the whole way.
+  const float step = std::min(ImGui::GetIO().DeltaTime, 1.0F / 30) / seconds;
+  value = value < target ? std::min(target, value + step) : std::max(target, value - step);
+  if (value != target) ui.wants_frame = true;
+  return value;
+}
+
+float eased(Interface& ui, ImGuiID id, float target, float seconds) {
+  return eased(ui, *ImGui::GetStateStorage()->GetFloatRef(id, target), target, seconds);
+}
+
+float smooth(float share) { return share * share * (3 - 2 * share); }
+
+void sharpen(const Interface& ui, ImDrawList& list) { list._FringeScale = 1 / ui.pixel_ratio; }
+
+void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float rounding, float opacity) {
+  constexpr int reach = 20;
+  const float strength = (ui.theme.dark ? 0.045F : 0.013F) * opacity;
+  const Colour shade = ui.theme.dark ? Colour{0, 0, 0} : ui.theme.ink;
+  for (int ring = 0; ring < reach; ++ring) {
+    const float out = static_cast<float>(ring) + 0.5F;
+    const float fall = 1 - out / reach;
+    // The light comes from above: the shadow lies a little lower.
+    list.AddRect({card.x - out, card.y - out + 0.3F * out}, {card.x + card.width + out, card.y + card.height + 1.3F * out},
+                 colour(shade, 4 * strength * fall * fall), rounding + out, 0, 1.35F);
+  }
+}
+
+float text_width(const Interface& ui, Face face, std::string_view text) {
+  float width = 0;
+  for (const Run& run : runs(text)) width += run_width(ui, face, run);
+  return width;
+}
+
+void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float size = size_of(ui, face);
+  float x = position.x;
+  if (align != Align::left) x -= text_width(ui, face, text) / (align == Align::centre ? 2 : 1);
+  for (const Run& run : runs(text)) {
+    const float run_size = size * (run.subscript ? subscript_share : 1);
+    const float y = position.y - size / 2 + (run.subscript ? size * 0.36F : 0);
+    list.AddText(font_of(ui, face), run_size, {std::round(x), std::round(y)}, ink, run.words.data(),
+                 run.words.data() + run.words.size());
+    x += run_width(ui, face, run);
+  }
+}
+
+Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
+  ImGui::SetCursorScreenPos(rect.min());
+  ImGui::PushID(label.data(), label.data() + label.size());
+  Press press;
+  press.clicked = ImGui::InvisibleButton("press", {rect.width, rect.height}) && ui.listening;
+  press.hovered = ImGui::IsItemHovered() && ui.listening;
+  press.held = ImGui::IsItemActive();
+  press.taken = ImGui::IsItemActivated();
+  press.let_go = ImGui::IsItemDeactivated();
+  ImGui::PopID();
+  if (press.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+
+  const ImVec2 clip_min = ImGui::GetWindowDrawList()->GetClipRectMin();
+  const ImVec2 clip_max = ImGui::GetWindowDrawList()->GetClipRectMax();
+  const float left = std::max(rect.x, clip_min.x), right = std::min(rect.x + rect.width, clip_max.x);
+  const float top = std::max(rect.y, clip_min.y), bottom = std::min(rect.y + rect.height, clip_max.y);
+  if (right - left >= 1 && bottom - top >= 1)
+    ui.widgets.push_back({std::string(label), {left, top, right - left, bottom - top}});
+  return press;
+}
+
+float segmented_width(const Interface& ui, std::span<const Segment> segments) {
+  float width = 2 * inset;
+  for (const Segment& segment : segments) width += text_width(ui, Face::bold, segment.label) + 2 * segment_padding;
+  return width;
+}
+
+std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const Rect& rect,
+                                     std::span<const Segment> segments) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Theme& theme = ui.theme;
+  fill(list, rect, colour(theme.ink, 0.045F), 8);
+  outline(list, rect, colour(theme.rule), 8);
+
+  // Words of unequal length share what room is left evenly.
+  const float spare = (rect.width - segmented_width(ui, segments)) / static_cast<float>(segments.size());
+  std::vector<Rect> places;
+  float x = rect.x + inset;
+  for (const Segment& segment : segments) {
+    const float width = text_width(ui, Face::bold, segment.label) + 2 * segment_padding + spare;
+    places.push_back({x, rect.y, width, rect.height});
+    x += width;
+  }
+
+  std::optional<std::size_t> clicked;
+  std::vector<Press> presses;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    presses.push_back(press_area(ui, segments[i].widget, places[i]));
+    if (presses[i].clicked) clicked = i;
+    if (presses[i].hovered && !segments[i].refusal.empty())
+      ui.hint = Widget{segments[i].refusal, {places[i].x, places[i].y, places[i].width, places[i].height}};
+  }
+
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!segments[i].chosen) continue;
+    // The chosen field slides from one word to the next.
+    const std::string key(id);
+    const float travel = std::max(rect.width, 1.0F);
+    const float left = travel * eased(ui, id_of(key + "#left"), (places[i].x - rect.x) / travel);
+    const float width = travel * eased(ui, id_of(key + "#width"), places[i].width / travel);
+    fill(list, {rect.x + left, rect.y + inset, width, rect.height - 2 * inset}, colour(theme.ink), 6);
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    const float warm = warmth(ui, segment.widget, presses[i]);
+    const float chosen = eased(ui, id_of(segment.widget + "#chosen"), segment.chosen ? 1.0F : 0.0F);
+    const bool refused = !segment.refusal.empty() && !segment.chosen;
+    Colour ink = mixed(mixed(theme.ink_soft, theme.ink, refused ? 0 : warm), theme.paper, chosen);
+    text(ui, segment.chosen ? Face::bold : Face::regular, places[i].centre(), colour(ink, refused ? 0.5F : 1), segment.label,
+         Align::centre);
+  }
+  return clicked;
+}
+
+double SliderScale::value_at(double share) const {
+  share = std::clamp(share, 0.0, 1.0);
+  const double exact = logarithmic ? min * std::pow(max / min, share) : min + (max - min) * share;
+  if (step <= 0) return std::clamp(exact, min, max);
+  // Counted from 0, not from min, so that a step of 0.25 gives 1 on a range that starts at 0.1.
+  return std::clamp(std::round(exact / step) * step, min, max);
+}
+
+double SliderScale::share_of(double value) const {
+  if (!(max > min)) return 0;
+  const double share = logarithmic ? std::log(std::max(value, min) / min) / std::log(max / min) : (value - min) / (max - min);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const SliderScale& scale, double value,
+                   bool enabled) {
+  const Theme& theme = ui.theme;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float radius = ui.touch ? 9 : 7;
+  const float start = rect.x + radius + 1, length = std::max(rect.width - 2 * radius - 2, 1.0F);
+
+  SliderEvent event;
+  event.value = value;
+  if (enabled) {
+    // Where on the thumb the pointer holds it, so that it does not jump when it is taken.
+    float& grip = *ImGui::GetStateStorage()->GetFloatRef(id_of(std::string(id) + "#grip"), 0);
+    const float pointer = ImGui::GetIO().MousePos.x;
+    event.taken = press.taken;
+    if (press.taken) {
+      const float off = pointer - (start + length * static_cast<float>(scale.share_of(value)));
+      grip = std::abs(off) <= radius + 2 ? off : 0;
+    }
+    const bool jumps = press.taken && grip == 0;
+    if (press.held && (jumps || ImGui::GetIO().MouseDelta.x != 0))
+      event.value = scale.value_at(static_cast<double>((pointer - grip - start) / length));
+    event.moved = event.value != value;
+  }
+  event.let_go = press.let_go;
+
+  const float warm = enabled ? warmth(ui, id, press) : 0;
+  const float held = eased(ui, id_of(std::string(id) + "#held"), press.held && enabled ? 1.0F : 0.0F);
+  const float opacity = enabled ? 1 : 0.35F;
+  const float y = std::round(rect.y + rect.height / 2);
+  const float x = start + length * static_cast<float>(scale.share_of(event.value));
+  const Colour ink = mixed(theme.ink, theme.accent, held);
+  const float half = 1.5F;
+  list.AddRectFilled({rect.x + 1, y - half}, {rect.x + rect.width - 1, y + half}, colour(theme.ink, theme.dark ? 0.16F : 0.12F), half);
+  list.AddRectFilled({rect.x + 1, y - half}, {x, y + half}, colour(ink, opacity), half);
+  list.AddCircleFilled({x, y}, radius + 5 * std::max(warm * 0.6F, held), colour(ink, 0.1F * std::max(warm, held)));
+  list.AddCircleFilled({x, y}, radius, colour(mixed(theme.ink, ink, held), 1));
+  if (!enabled) list.AddCircleFilled({x, y}, radius, colour(theme.panel, 0.6F));
+  list.AddCircleFilled({x, y}, radius - 2, colour(theme.dark ? theme.stage : theme.panel));
+  return event;
+}
+
+bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Theme& theme = ui.theme;
+  const Press press = press_area(ui, id, rect);
+  const float warm = enabled ? warmth(ui, id, press) : 0;
+  const float lit = eased(ui, id_of(std::string(id) + "#lit"), on ? 1.0F : 0.0F);
+  const float rounding = rect.height / 2, opacity = enabled ? 1 : 0.4F;
+  const Rect field = ui.touch ? Rect{rect.x, rect.y + 4, rect.width, rect.height - 8} : rect;
+  fill(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity), rounding);
+  outline(list, field, colour(mixed(theme.rule, theme.ink_soft, warm * 0.6F), (1 - lit) * opacity), rounding);
+  const Colour ink = mixed(mixed(theme.ink_soft, theme.ink, warm), theme.paper, lit);
+  text(ui, Face::small, rect.centre(), colour(ink, opacity), label, Align::centre);
+  return press.clicked && enabled;
+}
+
+bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press) * (enabled ? 1.0F : 0.3F);
+  const float strength = eased(ui, id_of(std::string(id) + "#enabled"), enabled ? 1.0F : 0.32F);
+  list.AddCircleFilled(rect.centre(), std::min(rect.width, rect.height) / 2 - 1, colour(ui.theme.ink, 0.08F * warm));
+  const Colour ink = press.held && enabled ? ui.theme.accent : mixed(ui.theme.ink_soft, ui.theme.ink, warm);
+  draw_icon(list, icon, rect.centre(), ui.touch ? 1.15F : 1, colour(ink, strength));
+  if (press.hovered && !press.held && !ui.touch) ui.hint = Widget{std::string(hint), {rect.x, rect.y, rect.width, rect.height}};
+  return press.clicked && enabled;
+}
+
+bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool playing) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press);
+  const float pressed = eased(ui, id_of("play#pressed"), press.held ? 1.0F : 0.0F);
+  const float radius = 19 + warm - 1.5F * pressed;
+  const ImVec2 centre = rect.centre();
+  list.AddCircleFilled(centre, radius, colour(ui.theme.ink));
+  const ImU32 ink = colour(ui.theme.paper);
+  if (playing) {
+    for (const float x : {-6.0F, 2.0F})
+      list.AddRectFilled({centre.x + x, centre.y - 6.5F}, {centre.x + x + 4, centre.y + 6.5F}, ink, 1.2F);
+  } else {
+    // The triangle's centre of mass, not that of its box, sits in the disc's centre. A stroke rounds its corners.
+    const std::array<ImVec2, 3> corners{{{centre.x - 4, centre.y - 6.2F}, {centre.x + 7, centre.y}, {centre.x - 4, centre.y + 6.2F}}};
+    list.AddTriangleFilled(corners[0], corners[1], corners[2], ink);
+    list.AddPolyline(corners.data(), 3, ink, ImDrawFlags_Closed, 1.5F);
+  }
+  return press.clicked;
+}
+
+bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, std::string_view label) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press);
+  const Rect field{rect.x, rect.y + 3, rect.width, rect.height - 6};
+  soft_shadow(ui, list, field, field.height / 2, 0.5F);
+  fill(list, field, colour(mixed(ui.theme.panel, ui.theme.ink, 0.06F * warm), 0.96F), field.height / 2);
+  draw_icon(list, icon, {field.x + 20, field.y + field.height / 2}, 0.95F, colour(ui.theme.ink));
+  text(ui, Face::bold, {field.x + 34, field.y + field.height / 2}, colour(ui.theme.ink), label);
+  return press.clicked;
+}
+
+bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press);
+  const float turn = smooth(eased(ui, id_of(std::string(id) + "#turn"), open ? 1.0F : 0.0F));
+  const ImU32 ink = colour(mixed(ui.theme.ink_soft, ui.theme.ink, warm));
+  text(ui, Face::regular, {rect.x, rect.y + rect.height / 2}, ink, label);
+  chevron(list, {rect.x + rect.width - 7, rect.y + rect.height / 2}, 4, turn, ink);
+  return press.clicked;
+}
+
+bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press);
+  const float turn = smooth(eased(ui, id_of(std::string(id) + "#turn"), open ? 1.0F : 0.0F));
+  fill(list, rect, colour(ui.theme.ink, 0.045F + 0.035F * warm), 8);
+  outline(list, rect, colour(mixed(ui.theme.rule, ui.theme.ink_soft, 0.5F * warm)), 8);
+  list.PushClipRect(rect.min(), {rect.x + rect.width - 22, rect.y + rect.height}, true);
+  text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label);
+  list.PopClipRect();
+  chevron(list, {rect.x + rect.width - 14, rect.y + rect.height / 2}, 3.5F, turn, colour(ui.theme.ink_soft));
+  return press.clicked;
+}
+
+bool menu_item(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+               std::string_view refusal, std::span<const float> curve) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Theme& theme = ui.theme;
+  const Press press = press_area(ui, id, rect);
+  const float warm = warmth(ui, id, press);
+  fill(list, rect, chosen ? colour(theme.ink) : colour(theme.ink, 0.08F * warm), 6);
+  const Colour ink = chosen ? theme.paper : mixed(theme.ink_soft, theme.ink, 0.5F + 0.5F * warm);
+  text(ui, chosen ? Face::bold : Face::regular, {rect.x + 10, rect.y + rect.height / 2},
+       colour(ink, refusal.empty() ? 1 : 0.5F), label);
+  if (press.hovered && !refusal.empty()) ui.hint = Widget{std::string(refusal), {rect.x, rect.y, rect.width, rect.height}};
+  if (curve.size() > 1) {
+    const float width = 34, height = std::min(rect.height - 14, 18.0F);
+    const float x = rect.x + rect.width - width - 10, y = rect.y + (rect.height + height) / 2;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+      list.PathLineTo({x + width * static_cast<float>(i) / static_cast<float>(curve.size() - 1), y - height * curve[i]});
+    list.PathStroke(colour(theme.local[1]), 0, 1.5F);
+  }
+  return press.clicked;
+}
+
+void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w) {
+  constexpr std::size_t count = 81;
+  const Theme& theme = ui.theme;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Rect area{rect.x + 1, rect.y + 4, rect.width - 2, rect.height - 8};
+  const auto at = [&](double share, double value) {
+    return ImVec2{area.x + area.width * static_cast<float>(share), area.y + area.height * static_cast<float>(1 - value)};
+  };
+
+  std::array<double, count> where{};
+  std::array<BlendingValue, count> values{};
+  for (std::size_t i = 0; i < count; ++i) where[i] = static_cast<double>(i) / (count - 1);
+  blending.evaluate(where, values);
+
+  // B' to its own scale: its place and shape tell where the handing over happens, its height would leave the plot.
+  double steepest = 1e-9;
+  for (const BlendingValue& value : values) steepest = std::max(steepest, value[1]);
+  const ImDrawListFlags flags = list.Flags;
+  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // else the strips' soft edges would show as seams
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    list.AddQuadFilled(at(where[i], 0), at(where[i], 0.8 * values[i][1] / steepest),
+                       at(where[i + 1], 0.8 * values[i + 1][1] / steepest), at(where[i + 1], 0),
+                       colour(theme.ink, theme.dark ? 0.07F : 0.05F));
+  list.Flags = flags;
+
+  list.AddLine(at(0, 0) + ImVec2{0, 0.5F}, at(1, 0) + ImVec2{0, 0.5F}, colour(theme.rule), 1);
+  list.AddLine(at(0, 1) + ImVec2{0, -0.5F}, at(1, 1) + ImVec2{0, -0.5F}, colour(theme.rule, 0.7F), 1);
+  const auto curve = [&](auto value_of, const Colour& hue) {
+    for (std::size_t i = 0; i < count; ++i) list.PathLineTo(at(where[i], value_of(values[i][0])));
+    list.PathStroke(colour(hue), 0, 2);
+  };
+  curve([](double b) { return 1 - b; }, theme.local[0]);
+  curve([](double b) { return b; }, theme.local[1]);
+
+  if (!w) return;
+  const double b = blending(*w)[0];
+  list.AddLine(at(*w, 0), at(*w, 1), colour(theme.ink, 0.35F), 1);
+  for (const auto& [value, hue] : {std::pair{1 - b, theme.local[0]}, std::pair{b, theme.local[1]}}) {
+    list.AddCircleFilled(at(*w, value), 4.5F, colour(theme.panel));
+    list.AddCircleFilled(at(*w, value), 3.5F, colour(hue));
+  }
+}
+
+void draw_hint(Interface& ui, const Rect& stage) {
+  if (!ui.hint || ui.hint->label.empty()) return;
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  sharpen(ui, list);
+  const auto& item = ui.hint->rect;
+  const float size = size_of(ui, Face::small);
+  const std::string& words = ui.hint->label;
+  const float wrap = std::min(220.0F, stage.width - 48);
+  const ImVec2 extent =
+      ui.fonts.small->CalcTextSizeA(size, FLT_MAX, wrap, words.data(), words.data() + words.size());
+  Rect box{0, 0, std::ceil(extent.x) + 18, std::ceil(extent.y) + 12};
+  box.x = std::round(static_cast<float>(item[0] + item[2] / 2) - box.width / 2);
+  box.x = std::clamp(box.x, stage.x + 8, std::max(stage.x + 8, stage.x + stage.width - box.width - 8));
+  box.y = std::round(static_cast<float>(item[1] + item[3])) + 6;
+  if (box.y + box.height > stage.y + stage.height - 8) box.y = std::round(static_cast<float>(item[1])) - box.height - 6;
+  fill(list, box, colour(ui.theme.ink, 0.95F), 6);
+  list.AddText(ui.fonts.small, size, {box.x + 9, box.y + 6}, colour(ui.theme.paper), words.data(),
+               words.data() + words.size(), wrap);
+}
+
+}  // namespace knotwork::web

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
+
+#include "web/interface_style.h"
+#include "web/panels.h"
+
+namespace knotwork::web {
+
+/// CSS pixels of the stage.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+
+  ImVec2 min() const { return {x, y}; }
+  ImVec2 max() const { return {x + width, y + height}; }
+  ImVec2 centre() const { return {x + width / 2, y + height / 2}; }
+};
+
+enum class Face : unsigned char { regular, bold, small };
+enum class Align : unsigned char { left, centre, right };
+
+/// What the widgets of one frame draw with and report to. They lay nothing out: each is given its rectangle, which is
+/// also where it can be clicked.
+struct Interface {
+  const Theme& theme;
+  InterfaceFonts fonts;
+  float pixel_ratio = 1;
+  bool touch = false;           ///< type and thumbs are larger under a finger
+  bool reduced_motion = false;  ///< nothing eases then
+  bool listening = true;        ///< false while a finger scrolls: letting go is no click then
+  bool wants_frame = false;     ///< something is still moving
+  std::vector<Widget> widgets;  ///< the items drawn, for the script interface
+  std::optional<Widget> hint;   ///< the words to show beside the item under the pointer
+};
+
+// Colours for ImGui's draw lists.
+ImU32 colour(const Colour& srgb, float opacity = 1);
+Colour mixed(const Colour& from, const Colour& to, float share);
+/// A hue as text: a tint nearer to the ink, which keeps its contrast on stage and card.
+Colour as_text(const Theme& theme, const Colour& hue);
+
+/// A value on its way to `target` at constant speed, `seconds` for a way of 1; asks for frames until it is there.
+float eased(Interface& ui, float& value, float target, float seconds = 0.12F);
+/// The same, kept by ImGui under the id of a widget; it starts at its first target.
+float eased(Interface& ui, ImGuiID id, float target, float seconds = 0.12F);
+/// Slow at both ends: 3t^2 - 2t^3.
+float smooth(float share);
+
+/// Antialiased edges one device pixel wide, whatever the pixel ratio; after Begin, which starts a fresh list.
+void sharpen(const Interface& ui, ImDrawList& list);
+/// Rings of falling opacity round a card; inside it nothing, so that a translucent card stays clean.
+void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float rounding, float opacity = 1);
+
+// Type. Positions are of the line's vertical centre; subscript figures (U+2080..2089) are drawn small and low.
+float text_width(const Interface& ui, Face face, std::string_view text);
+void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align = Align::left);
+
+/// One press area with the record of it; the base of all widgets.
+struct Press {
+  bool hovered = false, held = false, clicked = false, taken = false, let_go = false;
+};
+Press press_area(Interface& ui, std::string_view label, const Rect& rect);
+
+/// One segment of a switch; `refusal` says why it cannot be chosen now.
+struct Segment {
+  std::string label, widget;
+  bool chosen = false;
+  std::string refusal;
+};
+/// The width that a switch needs for its words.
+float segmented_width(const Interface& ui, std::span<const Segment> segments);
+/// Two or three choices side by side. Returns the clicked one, refused ones too: the refusal is then told by whoever
+/// applies the command.
+std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const Rect& rect,
+                                     std::span<const Segment> segments);
+
+/// What a slider runs over. Logarithmic where the range spans orders of magnitude.
+struct SliderScale {
+  double min = 0, max = 1, step = 0;
+  bool logarithmic = false;
+
+  double value_at(double share) const;
+  double share_of(double value) const;
+};
+struct SliderEvent {
+  bool taken = false, moved = false, let_go = false;
+  double value = 0;
+};
+/// A thin track with a round thumb; a press on the track brings the thumb there, a press on the thumb takes it as it is.
+SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const SliderScale& scale, double value,
+                   bool enabled = true);
+
+bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled = true);
+
+enum class Icon : unsigned char { undo, redo, reset, frame, close, sliders };
+bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint);
+bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool playing);
+/// A pill with an icon and a word.
+bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, std::string_view label);
+/// A line of text with a chevron that turns when `open`.
+bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open);
+/// The closed form of a list of choices.
+bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open);
+/// A row of an open list, with a small plot of `curve` (values in [0,1]) at its right.
+bool menu_item(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+               std::string_view refusal, std::span<const float> curve);
+
+/// B and 1-B over [0,1] in the hues of the two locals that they weigh, B' faintly behind; `w` is where the probe is.
+void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w);
+
+/// Draws the hint of this frame, if there is one, above everything.
+void draw_hint(Interface& ui, const Rect& stage);
+
+}  // namespace knotwork::web
