@@ -10,7 +10,8 @@
 extern "C" {
 // Life. `knotwork_start` needs the canvas (a CSS selector) in the page; false when WebGL2 is not to be had.
 bool knotwork_start(const char* canvas_selector);
-void knotwork_font(const std::uint8_t* bytes, int size, int weight);  ///< a TrueType file for the panel, 400 or 600; copied
+void knotwork_font(const std::uint8_t* bytes, int size,
+                   int weight);  ///< a TrueType file for the panel, 400 or 600; copied
 void knotwork_resize(double css_width, double css_height, double pixel_ratio);
 void knotwork_scheme(bool dark);
 void knotwork_reduced_motion(bool reduced);
@@ -24,7 +25,6 @@ bool knotwork_frame(double now);
 int knotwork_pointer(int type, int id, int device, double x, double y, int button, int modifiers, double time);
 int knotwork_wheel(double delta_x, double delta_y, double x, double y, int modifiers);
 int knotwork_key(bool down, const char* key, int modifiers);  ///< KeyboardEvent.key
-void knotwork_text(const char* text);
 void knotwork_focus(bool focused);
 const char* knotwork_cursor();  ///< a CSS cursor for the stage
 
@@ -34,8 +34,8 @@ const char* knotwork_document();
 const char* knotwork_load(const char* json);
 const char* knotwork_parameters();
 const char* knotwork_set(const char* id, const char* json_value);
-const char* knotwork_handles();   ///< screen relative to the stage
-const char* knotwork_widgets();   ///< rect relative to the stage
+const char* knotwork_handles();  ///< screen relative to the stage
+const char* knotwork_widgets();  ///< rect relative to the stage
 const char* knotwork_evaluate(const char* object, const char* json_parameter, int order);
 const char* knotwork_play(bool playing);
 const char* knotwork_seek(double seconds);

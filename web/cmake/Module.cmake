@@ -3,6 +3,7 @@
 add_executable(knotwork ${KNOTWORK_WEB_APP_SOURCES})
 knotwork_own_code(knotwork)
 target_link_libraries(knotwork PRIVATE knotwork_web_logic knotwork_imgui nlohmann_json::nlohmann_json)
+target_compile_definitions(knotwork PRIVATE KNOTWORK_VERSION="${PROJECT_VERSION}")
 set_target_properties(knotwork PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/module")
 
 target_link_options(knotwork PRIVATE

@@ -1,0 +1,576 @@
+#include "web/app.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <glm/geometric.hpp>
+
+#include "knotwork/mesh/blending_tables.h"
+#include "knotwork/scene/chapters.h"
+#include "knotwork/scene/palette.h"
+#include "knotwork/scene/picking.h"
+#include "web/stage_ornaments.h"
+
+namespace knotwork::web {
+namespace {
+
+constexpr double roll_ms = 600, camera_ms = 350, notice_ms = 4200;
+constexpr double usual_frame_ms = 1000.0 / 60;
+constexpr double longest_step = 0.1;         // seconds of clock after a pause in drawing
+constexpr int frames_after_event = 3;        // ImGui spreads a quick tap over this many frames
+constexpr int rolling_samples = 192;         // while the static part changes in every frame
+constexpr double handle_neighbourhood = 60;  // CSS pixels; farther handles cannot be meant
+constexpr double phone_width = 520;          // CSS pixels; a narrower stage has a drawer
+
+double ease(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * t * (t * (6 * t - 15) + 10);
+}
+
+glm::dvec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+double milliseconds() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+bool same(const scene::Roll& a, const scene::Roll& b) { return a.u == b.u && a.v == b.v; }
+
+}  // namespace
+
+App::App() : theme_(make_theme(false)) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  document_ = scene::chapters().front().start_document();
+  snap();
+}
+
+// --- Life ----------------------------------------------------------------------------------------------------------
+
+std::string App::attach_context() {
+  if (ImGui::GetIO().BackendRendererUserData != nullptr) ImGui_ImplOpenGL3_Shutdown();
+  std::string log = renderer_.prepare();
+  if (!log.empty()) return log;
+  if (!ImGui_ImplOpenGL3_Init("#version 300 es")) return "The interface could not be set up.";
+  context_ready_ = true;
+  fonts_stale_ = true;
+  geometry_.maps_uploaded = geometry_.tables_uploaded = geometry_.hues_uploaded = false;
+  request_frames(frames_after_event);
+  return {};
+}
+
+void App::lose_context() {
+  context_ready_ = false;
+  renderer_.abandon();
+}
+
+void App::set_font(int weight, std::vector<std::uint8_t> bytes) {
+  (weight >= 600 ? bold_face_ : regular_face_) = std::move(bytes);
+  fonts_stale_ = true;
+  request_frames(frames_after_event);
+}
+
+void App::resize(double css_width, double css_height, double pixel_ratio) {
+  viewport_.width = std::max(css_width, 1.0);
+  viewport_.height = std::max(css_height, 1.0);
+  if (pixel_ratio != viewport_.pixel_ratio) fonts_stale_ = true;
+  viewport_.pixel_ratio = pixel_ratio;
+  request_frames(frames_after_event);
+}
+
+void App::set_scheme(bool dark) {
+  theme_ = make_theme(dark);
+  geometry_.hues_uploaded = false;
+  request_frames(frames_after_event);
+}
+
+void App::set_reduced_motion(bool reduced) {
+  reduced_motion_ = reduced;
+  request_frames(1);
+}
+
+void App::request_frames(int count) { pending_frames_ = std::max(pending_frames_, count); }
+
+// --- Document ------------------------------------------------------------------------------------------------------
+
+void App::changed() {
+  ++revision_;
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+  if (interaction_.selected &&
+      (interaction_.selected->first >= object.locals_u || interaction_.selected->second >= object.locals_v))
+    interaction_.selected.reset();
+  request_frames(2);
+}
+
+void App::say(std::string notice) {
+  notice_ = std::move(notice);
+  notice_until_ = now_ + notice_ms;
+  ++revision_;
+  request_frames(1);
+}
+
+Status App::perform(const scene::Command& command) {
+  Status status = history_.perform(document_, command);
+  if (!status) {
+    say(status.error().message);
+    return status;
+  }
+  changed();
+  return status;
+}
+
+Status App::load(scene::Document document) {
+  Status status = perform(scene::LoadDocument{std::move(document)});
+  if (status) snap();
+  return status;
+}
+
+Status App::open_chapter(std::string_view id) {
+  const scene::Chapter* chapter = scene::find_chapter(id);
+  if (chapter == nullptr) return Error{"", "There is no chapter \"" + std::string(id) + "\"."};
+  Status status = load(chapter->start_document());
+  if (status) frame_all(true);
+  return status;
+}
+
+bool App::undo() {
+  if (!history_.undo(document_)) return false;
+  camera_transition_.reset();
+  changed();
+  return true;
+}
+
+bool App::redo() {
+  if (!history_.redo(document_)) return false;
+  camera_transition_.reset();
+  changed();
+  return true;
+}
+
+void App::select(std::optional<scene::PatchIndex> patch) {
+  interaction_.selected = patch;
+  if (patch) say("Patch " + std::to_string(patch->first) + ", " + std::to_string(patch->second) + " selected");
+  changed();
+}
+
+/// No transition: what is shown is what the document says.
+void App::snap() {
+  roll_.from = roll_.to = roll_.shown = scene::rest_roll(scene::blending_surface(document_));
+  roll_.active = false;
+  camera_transition_.reset();
+}
+
+BlendingSurface App::surface_at_rest() const {
+  return scene::build_surface(scene::blending_surface(document_), document_.animation);
+}
+
+// --- Geometry ------------------------------------------------------------------------------------------------------
+
+void App::update_geometry() {
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+  scene::BlendingSurfaceObject shape = object;
+  shape.edits.clear();
+  if (!geometry_.surface || !(shape == geometry_.shape) || !same(roll_.shown, geometry_.roll)) {
+    const bool recolour = !geometry_.surface || shape.locals_u != geometry_.shape.locals_u ||
+                          shape.locals_v != geometry_.shape.locals_v ||
+                          shape.topology_u != geometry_.shape.topology_u ||
+                          shape.topology_v != geometry_.shape.topology_v || !same(roll_.shown, geometry_.roll);
+    geometry_.surface = scene::build_surface(object, document_.animation, roll_.shown);
+    geometry_.shape = std::move(shape);
+    geometry_.roll = roll_.shown;
+    geometry_.tables_uploaded = false;
+    if (recolour) geometry_.hues_uploaded = false;
+  } else {
+    scene::update_locals(*geometry_.surface, object, document_.animation, roll_.shown);
+  }
+  geometry_.maps_uploaded = false;
+  geometry_.net.reset();
+  handles_.clear();
+}
+
+const scene::PickNet& App::net() {
+  if (!geometry_.net) geometry_.net.emplace(*geometry_.surface);
+  return *geometry_.net;
+}
+
+void App::upload() {
+  const BlendingSurface& surface = *geometry_.surface;
+  const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
+  if (!geometry_.tables_uploaded) {
+    const int most = roll_.active ? rolling_samples : scene::max_samples;
+    renderer_.upload(
+        blending_tables(surface, std::min(geometry_.shape.samples_u, most), std::min(geometry_.shape.samples_v, most)));
+    geometry_.tables_uploaded = true;
+  }
+  if (!geometry_.maps_uploaded) {
+    renderer_.upload_maps(map_table(surface), n_u, n_v);
+    geometry_.maps_uploaded = true;
+  }
+  if (!geometry_.hues_uploaded) {
+    std::vector<Colour> hues;
+    hues.reserve(static_cast<std::size_t>(n_u) * static_cast<std::size_t>(n_v));
+    for (int i = 0; i < n_u; ++i) {
+      for (int j = 0; j < n_v; ++j) {  // the ghost past the last local, while rolling, is local 0 again
+        const scene::PatchIndex patch{i % geometry_.shape.locals_u, j % geometry_.shape.locals_v};
+        hues.push_back(scene::patch_hue(scene::patch_hue_index(geometry_.shape, patch), theme_.dark));
+      }
+    }
+    renderer_.upload_hues(hues, n_u, n_v);
+    geometry_.hues_uploaded = true;
+  }
+}
+
+/// The floor lies a little under the lowest point; it does not bob with a playing animation or a held patch.
+void App::update_floor() {
+  const bool steady = !document_.animation.playing && interaction_.drag == InteractionState::Drag::none;
+  if (steady || floor_.half_size <= 0) {
+    const BlendingSurface& surface = *geometry_.surface;
+    constexpr int steps = 24;
+    std::array<double, steps + 1> u{}, v{};
+    for (int k = 0; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      u[static_cast<std::size_t>(k)] = std::lerp(surface.knots_u().start(), surface.knots_u().end(), share);
+      v[static_cast<std::size_t>(k)] = std::lerp(surface.knots_v().start(), surface.knots_v().end(), share);
+    }
+    std::vector<SurfaceJet> jets(u.size() * v.size());
+    surface.evaluate_grid(u, v, jets);
+    Eigen::Vector3d low = jets.front().s, high = low;
+    for (const SurfaceJet& jet : jets) {
+      low = low.cwiseMin(jet.s);
+      high = high.cwiseMax(jet.s);
+    }
+    const double size = (high - low).norm();
+    floor_.x = 0.5 * (low.x() + high.x());
+    floor_.y = 0.5 * (low.y() + high.y());
+    floor_.half_size = 1.05 * size;
+    floor_target_ = low.z() - 0.12 * size;
+  }
+  const double gap = floor_target_ - floor_.height;
+  if (std::abs(gap) < 1e-3 || reduced_motion_ || !framed_once_) {
+    floor_.height = floor_target_;
+  } else {
+    floor_.height += 0.22 * gap;
+    request_frames(1);
+  }
+}
+
+const std::vector<Handle>& App::handles() {
+  if (!geometry_.surface) update_geometry();
+  const View now = view();
+  if (handles_.empty()) {
+    const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+    handles_.reserve(static_cast<std::size_t>(object.locals_u) * static_cast<std::size_t>(object.locals_v));
+    for (int i = 0; i < object.locals_u; ++i)
+      for (int j = 0; j < object.locals_v; ++j)
+        handles_.push_back({{i, j}, vec(scene::patch_origin(*geometry_.surface, {i, j})), {}, false});
+  }
+  for (Handle& handle : handles_) handle.screen = now.project(handle.position);
+  return handles_;
+}
+
+// --- Time ----------------------------------------------------------------------------------------------------------
+
+void App::advance_roll(double now) {
+  const scene::Roll rest = scene::rest_roll(scene::blending_surface(document_));
+  if (!same(rest, roll_.to)) {
+    roll_.from = roll_.shown;
+    roll_.to = rest;
+    roll_.start = now;
+    roll_.active = !reduced_motion_;
+    if (!roll_.active) roll_.shown = rest;
+
+    // The camera keeps the picture's size: nearer for a shape that is smaller than the last.
+    const scene::PickNet before = geometry_.net ? *geometry_.net : scene::PickNet(*geometry_.surface);
+    const scene::PickNet after(surface_at_rest());
+    if (before.radius() > 0 && interaction_.drag == InteractionState::Drag::none) {
+      scene::Camera camera = camera_transition_ ? camera_transition_->to : document_.camera;
+      camera.target += after.centre() - before.centre();
+      camera.distance *= after.radius() / before.radius();
+      camera_transition_ = CameraTransition{document_.camera, camera, now, roll_.active ? roll_ms : 0};
+    }
+  }
+  if (!roll_.active) return;
+  const double share = (now - roll_.start) / roll_ms;
+  const double eased = ease(share);
+  roll_.shown = {std::lerp(roll_.from.u, roll_.to.u, eased), std::lerp(roll_.from.v, roll_.to.v, eased)};
+  if (share >= 1) {
+    roll_.active = false;
+    roll_.shown = roll_.to;
+  }
+  request_frames(2);
+}
+
+void App::advance(double now) {
+  const double seconds = std::clamp((now - last_frame_) / 1000, 0.0, longest_step);
+  if (document_.animation.playing) {
+    // Not a step of the history: the clock runs by itself. It cannot fail.
+    (void)apply(document_, scene::AdvanceClock{seconds});
+    ++revision_;
+    request_frames(1);
+  }
+  advance_roll(now);
+  if (camera_transition_) {
+    const CameraTransition& move = *camera_transition_;
+    const double share = move.duration > 0 ? (now - move.start) / move.duration : 1;
+    const scene::Camera camera = share >= 1 ? move.to : between(move.from, move.to, ease(share));
+    (void)apply(document_, scene::SetCamera{camera});
+    if (share >= 1) camera_transition_.reset();
+    request_frames(1);
+  }
+  if (!notice_.empty() && now > notice_until_) {
+    notice_.clear();
+    ++revision_;
+  }
+  if (!notice_.empty()) request_frames(1);
+}
+
+void App::frame_all(bool at_once) {
+  if (!geometry_.surface || at_once) update_geometry();
+  const scene::PickNet& ball = net();
+  const scene::Camera to = web::frame(document_.camera, vec(ball.centre()), ball.radius(), free_viewport());
+  if (at_once || reduced_motion_) {
+    (void)apply(document_, scene::SetCamera{to});
+    camera_transition_.reset();
+  } else {
+    camera_transition_ = CameraTransition{document_.camera, to, now_, camera_ms};
+  }
+  request_frames(2);
+}
+
+// --- Frame ---------------------------------------------------------------------------------------------------------
+
+bool App::frame(double now) {
+  if (!context_ready_ || pending_frames_ <= 0) return running_ = false;
+  const double start = milliseconds();
+  if (!running_) last_frame_ = now - usual_frame_ms;  // idle until now: no leap of the clock
+  --pending_frames_;
+  now_ = now;
+  const double seconds = std::clamp((now - last_frame_) / 1000, 1e-4, longest_step);
+
+  advance(now);
+  update_geometry();
+  run_interface(seconds);
+  advance_roll(now);  // what the interface has just changed is in this very picture
+  const double evaluate_start = milliseconds();
+  update_geometry();
+  update_floor();
+  upload();
+  stats_.evaluate_ms = milliseconds() - evaluate_start;
+  draw();
+
+  last_frame_ = now;
+  ++stats_.frames;
+  stats_.frame_ms = milliseconds() - start;
+  return running_ = wants_frame();
+}
+
+void App::run_interface(double seconds) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (fonts_stale_) {
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    fonts_ = load_interface_fonts(regular_face_, bold_face_, viewport_.pixel_ratio);
+    fonts_stale_ = false;
+  }
+  io.DisplaySize = {static_cast<float>(viewport_.width), static_cast<float>(viewport_.height)};
+  io.DisplayFramebufferScale = {static_cast<float>(viewport_.pixel_ratio), static_cast<float>(viewport_.pixel_ratio)};
+  io.DeltaTime = static_cast<float>(seconds);
+  apply_interface_style(theme_);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  panel_output_ = draw_panels(panel_state_, {.document = document_,
+                                             .surface = *geometry_.surface,
+                                             .theme = theme_,
+                                             .viewport = viewport_,
+                                             .phone = viewport_.width < phone_width,
+                                             .probe = probe(),
+                                             .selected = interaction_.selected,
+                                             .can_undo = history_.can_undo(),
+                                             .can_redo = history_.can_redo(),
+                                             .reduced_motion = reduced_motion_,
+                                             .notice = notice_});
+  ImGui::Render();
+
+  if (panel_output_.begin_gesture) history_.begin_gesture();
+  for (const scene::Command& command : panel_output_.commands) (void)perform(command);
+  if (panel_output_.end_gesture) history_.end_gesture();
+  if (panel_output_.undo) undo();
+  if (panel_output_.redo) redo();
+  if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
+  if (panel_output_.frame_all) frame_all(false);
+  if (panel_output_.wants_frame) request_frames(2);
+  if (!framed_once_) {  // the insets are known now
+    frame_all(true);
+    framed_once_ = true;
+    request_frames(2);
+  }
+}
+
+void App::draw() {
+  renderer_.draw(picture());
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+Viewport App::free_viewport() const {
+  Viewport viewport = viewport_;
+  viewport.inset_left = panel_output_.insets.inset_left;
+  viewport.inset_top = panel_output_.insets.inset_top;
+  viewport.inset_right = panel_output_.insets.inset_right;
+  viewport.inset_bottom = panel_output_.insets.inset_bottom;
+  return viewport;
+}
+
+View App::view() const { return make_view(document_.camera, free_viewport()); }
+
+std::optional<Probe> App::probe() const {
+  if (!interaction_.probe || roll_.active) return std::nullopt;
+  const BlendingSurface& surface = *geometry_.surface;
+  return probe_at(surface, interaction_.probe->x, interaction_.probe->y);
+}
+
+Picture App::picture() {
+  const BlendingSurface& surface = *geometry_.surface;
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+  Picture picture;
+  picture.view = view();
+  picture.theme = theme_;
+  picture.display = document_.display;
+  picture.floor = floor_;
+  picture.locals_u = surface.knots_u().count();
+  picture.locals_v = surface.knots_v().count();
+  picture.closed_u = surface.knots_u().closed();
+  picture.closed_v = surface.knots_v().closed();
+  picture.held = interaction_.selected;
+  if (document_.display.frames) add_patch_frames(picture, surface, object);
+  if (document_.display.normals) add_normals(picture, surface);
+  if (document_.display.handles) {
+    add_handles(picture, handles(), object, interaction_);
+    if (interaction_.selected && !roll_.active) add_gizmo(picture, surface, object, interaction_);
+  }
+  return picture;
+}
+
+// --- Events --------------------------------------------------------------------------------------------------------
+
+Stage App::stage(glm::dvec2 position) {
+  if (!geometry_.surface) update_geometry();
+  handles();
+  stage_view_ = view();
+  for (Handle& handle : handles_) {
+    if (!handle.screen || glm::distance(glm::dvec2(*handle.screen), position) > handle_neighbourhood) continue;
+    const scene::Ray ray = stage_view_.ray(glm::dvec2(*handle.screen));
+    const std::optional<scene::SurfaceHit> hit = net().pick(*geometry_.surface, ray);
+    const double depth = glm::distance(handle.position, {ray.origin.x(), ray.origin.y(), ray.origin.z()});
+    handle.hidden = hit && hit->distance < depth - 8 * stage_view_.pixel_size(handle.position);
+  }
+  return {document_, *geometry_.surface, net(), stage_view_, handles_};
+}
+
+void App::apply_outcome(const Outcome& outcome) {
+  if (outcome.cancel_gesture) {
+    history_.cancel_gesture(document_);
+    changed();
+  }
+  if (outcome.begin_gesture) history_.begin_gesture();
+  for (const scene::Command& command : outcome.commands) {
+    if (std::holds_alternative<scene::SetCamera>(command)) camera_transition_.reset();
+    (void)perform(command);
+  }
+  if (outcome.end_gesture) {
+    history_.end_gesture();
+    ++revision_;
+  }
+  if (outcome.undo) undo();
+  if (outcome.redo) redo();
+  if (outcome.toggle_play) (void)perform(scene::SetParameter{"animation.playing", !document_.animation.playing});
+  if (outcome.frame_all) frame_all(false);
+  if (!outcome.notice.empty()) {
+    spoken_ = outcome.notice;
+    ++revision_;
+  }
+  if (!outcome.commands.empty() || outcome.cancel_gesture) update_geometry();
+  if (outcome.redraw || !outcome.commands.empty()) request_frames(1);
+}
+
+bool App::over_interface(glm::dvec2 position) const {
+  return std::any_of(panel_output_.regions.begin(), panel_output_.regions.end(), [&](const auto& rect) {
+    return position.x >= rect[0] && position.y >= rect[1] && position.x < rect[0] + rect[2] &&
+           position.y < rect[1] + rect[3];
+  });
+}
+
+bool App::pointer(const PointerEvent& event) {
+  if (!std::isfinite(event.position.x) || !std::isfinite(event.position.y)) return false;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool touch = event.device == PointerDevice::touch;
+  const bool over = over_interface(event.position);
+  bool interface_has_it = interface_pointers_.contains(event.id);
+  const bool nothing_held = interaction_.drag == InteractionState::Drag::none && interaction_.pointers.empty();
+
+  io.AddMouseSourceEvent(touch                                ? ImGuiMouseSource_TouchScreen
+                         : event.device == PointerDevice::pen ? ImGuiMouseSource_Pen
+                                                              : ImGuiMouseSource_Mouse);
+  if (event.type == PointerType::down && over && nothing_held) {
+    interface_pointers_.insert(event.id);
+    interface_has_it = true;
+  }
+  // ImGui has one mouse: it follows the pointer it holds, else the hovering one, never a second finger.
+  const bool mouse_for_interface = interface_has_it || (nothing_held && !touch) || event.type == PointerType::down;
+  if (mouse_for_interface && event.type != PointerType::leave)
+    io.AddMousePosEvent(static_cast<float>(event.position.x), static_cast<float>(event.position.y));
+  if (event.type == PointerType::leave && !interface_has_it) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  if (event.type == PointerType::down && event.button <= 0) io.AddMouseButtonEvent(0, true);
+  if (event.type == PointerType::up || event.type == PointerType::cancel) {
+    io.AddMouseButtonEvent(0, false);
+    if (touch) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  }
+
+  bool used = interface_has_it;
+  if (!interface_has_it) {
+    PointerEvent passed = event;
+    if (over && nothing_held && event.type == PointerType::move) passed.type = PointerType::leave;
+    const Outcome outcome = web::pointer(interaction_, stage(event.position), passed);
+    apply_outcome(outcome);
+    used = outcome.used;
+  }
+  if (event.type == PointerType::up || event.type == PointerType::cancel) interface_pointers_.erase(event.id);
+
+  const bool interface_cares = over || over_before_ || interface_has_it || event.type != PointerType::move;
+  over_before_ = over;
+  if (interface_cares) request_frames(frames_after_event);
+  return used;
+}
+
+bool App::wheel(const WheelEvent& event) {
+  if (over_interface(event.position)) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddMousePosEvent(static_cast<float>(event.position.x), static_cast<float>(event.position.y));
+    io.AddMouseWheelEvent(0, static_cast<float>(-event.delta.y / 100));
+    request_frames(frames_after_event);
+    return true;
+  }
+  const Outcome outcome = web::wheel(interaction_, stage(event.position), event);
+  apply_outcome(outcome);
+  return outcome.used;
+}
+
+bool App::key(const KeyEvent& event) {
+  const Outcome outcome = web::key(interaction_, stage({-1e9, -1e9}), event);
+  apply_outcome(outcome);
+  return outcome.used;
+}
+
+void App::focus(bool focused) {
+  ImGui::GetIO().AddFocusEvent(focused);
+  request_frames(frames_after_event);
+}
+
+const char* App::cursor() const { return over_before_ ? "default" : web::cursor(interaction_); }
+
+}  // namespace knotwork::web

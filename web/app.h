@@ -1,0 +1,151 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "knotwork/scene/history.h"
+#include "knotwork/scene/surface_builder.h"
+#include "web/interaction.h"
+#include "web/interface_style.h"
+#include "web/panels.h"
+#include "web/renderer.h"
+
+namespace knotwork::web {
+
+/// What stats() of the script interface tells.
+struct AppStats {
+  std::int64_t frames = 0;  ///< since start
+  double evaluate_ms = 0;   ///< of the last frame: building surface, maps and tables
+  double frame_ms = 0;      ///< of the last frame: all of the main thread's work
+};
+
+/// The program behind the stage: holds the document, hands events on, and draws frames when something has changed.
+/// Events change the document through commands only; `frame` brings geometry, picture and interface up to it.
+class App {
+ public:
+  /// Opens the first chapter.
+  App();
+
+  /// A WebGL2 context has become current. Empty, or why it cannot be used.
+  std::string attach_context();
+  void lose_context();
+
+  void set_font(int weight, std::vector<std::uint8_t> bytes);
+  void resize(double css_width, double css_height, double pixel_ratio);
+  void set_scheme(bool dark);
+  void set_reduced_motion(bool reduced);
+
+  /// Draws a frame if one is needed; `now` in milliseconds. True when another one is wanted at once.
+  bool frame(double now);
+  bool wants_frame() const { return pending_frames_ > 0; }
+
+  bool pointer(const PointerEvent& event);
+  bool wheel(const WheelEvent& event);
+  bool key(const KeyEvent& event);
+  void focus(bool focused);
+  const char* cursor() const;
+
+  /// One command as one step of the history; a refusal is shown as a notice too.
+  Status perform(const scene::Command& command);
+  Status load(scene::Document document);
+  Status open_chapter(std::string_view id);
+  bool undo();
+  bool redo();
+  void select(std::optional<scene::PatchIndex> patch);
+
+  const scene::Document& document() const { return document_; }
+  const scene::History& history() const { return history_; }
+  /// The surface that the document means, without the rolling between two topologies.
+  BlendingSurface surface_at_rest() const;
+  const std::vector<Handle>& handles();
+  std::optional<scene::PatchIndex> selected() const { return interaction_.selected; }
+  const std::vector<Widget>& widgets() const { return panel_output_.widgets; }
+  /// What the page's live region should say.
+  const std::string& notice() const { return notice_.empty() ? spoken_ : notice_; }
+  const AppStats& stats() const { return stats_; }
+  const RendererStats& renderer_stats() const { return renderer_.stats(); }
+  /// Grows whenever something that the page shows beside the stage has changed.
+  double revision() const { return static_cast<double>(revision_); }
+
+ private:
+  /// The sheet on its way between two topologies.
+  struct RollTransition {
+    scene::Roll from{1, 1}, to{1, 1}, shown{1, 1};
+    double start = 0;
+    bool active = false;
+  };
+  struct CameraTransition {
+    scene::Camera from, to;
+    double start = 0, duration = 0;
+  };
+  /// Geometry of the present document, rebuilt by parts: `shape` decides the static part, edits and clock the maps.
+  struct Geometry {
+    scene::BlendingSurfaceObject shape;  ///< without edits
+    scene::Roll roll{-1, -1};
+    std::optional<BlendingSurface> surface;
+    std::optional<scene::PickNet> net;  ///< made when asked for
+    bool maps_uploaded = false, tables_uploaded = false, hues_uploaded = false;
+  };
+
+  void advance(double now);
+  void advance_roll(double now);
+  void update_geometry();
+  void update_floor();
+  void upload();
+  void run_interface(double seconds);
+  void draw();
+  void apply_outcome(const Outcome& outcome);
+  void changed();
+  void request_frames(int count);
+  void say(std::string notice);
+  void frame_all(bool at_once);
+  void snap();
+  const scene::PickNet& net();
+  View view() const;
+  Viewport free_viewport() const;
+  /// What an event at `position` looks at; handles near it know whether something hides them.
+  Stage stage(glm::dvec2 position);
+  std::optional<Probe> probe() const;
+  Picture picture();
+  bool over_interface(glm::dvec2 position) const;
+
+  scene::Document document_;
+  scene::History history_;
+  InteractionState interaction_;
+  PanelState panel_state_;
+  PanelOutput panel_output_;
+  Renderer renderer_;
+  Theme theme_;
+  Viewport viewport_;
+  InterfaceFonts fonts_;
+  std::vector<std::uint8_t> regular_face_, bold_face_;
+  bool fonts_stale_ = true;
+  bool context_ready_ = false;
+  bool reduced_motion_ = false;
+  bool framed_once_ = false;
+
+  Geometry geometry_;
+  std::vector<Handle> handles_;
+  RollTransition roll_;
+  std::optional<CameraTransition> camera_transition_;
+  Floor floor_;
+  double floor_target_ = -1;
+
+  View stage_view_;                   ///< what the last event was measured in
+  std::set<int> interface_pointers_;  ///< pointers that went down on a panel
+  bool over_before_ = false;          ///< the hovering pointer was over a panel
+  std::string notice_;                ///< shown on the stage for a moment
+  std::string spoken_;                ///< for the page's live region only
+  double notice_until_ = 0;
+  int pending_frames_ = 3;
+  bool running_ = false;  ///< the last frame asked for this one
+  double now_ = 0, last_frame_ = 0;
+  std::uint64_t revision_ = 1;
+  AppStats stats_;
+};
+
+}  // namespace knotwork::web

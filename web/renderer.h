@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knotwork/mesh/blending_tables.h"
+#include "knotwork/scene/document.h"
+#include "web/camera.h"
+#include "web/theme.h"
+
+namespace knotwork::web {
+
+/// A segment of constant width on the screen.
+struct Ribbon {
+  glm::vec3 start, end;
+  glm::vec4 colour;  ///< sRGB, alpha not multiplied in
+  float width;       ///< CSS pixels
+};
+
+/// A handle or knob that faces the reader.
+struct Disc {
+  glm::vec3 centre;
+  float radius;    ///< CSS pixels
+  glm::vec4 fill;  ///< sRGB
+  glm::vec3 rim;
+  float rim_width;  ///< CSS pixels
+};
+
+/// The floor that the surface throws its shadow on.
+struct Floor {
+  double x = 0, y = 0, height = -1, half_size = 4;
+};
+
+/// One picture of the stage: plain values, ready to be uploaded and drawn.
+struct Picture {
+  View view;
+  Theme theme;
+  scene::Display display;
+  Floor floor;
+  int locals_u = 1, locals_v = 1;           ///< of the maps uploaded last
+  bool closed_u = false, closed_v = false;  ///< wraps on the stage
+  std::optional<scene::PatchIndex> held;    ///< its support is lit, its own sheet is shown
+  std::vector<Ribbon> ribbons;              ///< frames and normals: hidden by the surface
+  std::vector<Ribbon> overlay_ribbons;      ///< the gizmo: faint where hidden
+  std::vector<Disc> discs, overlay_discs;
+};
+
+/// Counted over a frame (draw calls, vertices) and since start (bytes).
+struct RendererStats {
+  int draw_calls = 0;
+  std::int64_t vertices = 0;
+  double upload_bytes = 0;
+};
+
+/// Draws pictures with WebGL2. The only file beside gl_objects and ImGui's backend that speaks GL.
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Makes programs and buffers in the current context; empty, or the log of what failed to compile.
+  std::string prepare();
+  /// The context is gone: forgets every GL name without touching GL.
+  void abandon();
+
+  /// New topology, resolution or model: the static part and its indices.
+  void upload(const BlendingTables& tables);
+  /// The moving part: 12 floats a local.
+  void upload_maps(const std::vector<float>& maps, int locals_u, int locals_v);
+  /// OKLab of each local's hue, from sRGB colours.
+  void upload_hues(const std::vector<Colour>& hues, int locals_u, int locals_v);
+
+  /// Begins the frame's counts and draws the picture over the whole canvas.
+  void draw(const Picture& picture);
+  const RendererStats& stats() const { return stats_; }
+
+ private:
+  struct Resources;
+  void draw_shadow(const Picture& picture);
+  void draw_ribbons(const Picture& picture, const std::vector<Ribbon>& ribbons);
+  void draw_discs(const Picture& picture, const std::vector<Disc>& discs, float opacity);
+  void draw_sheets(const Picture& picture);
+  void draw_overlay(const Picture& picture);
+
+  std::unique_ptr<Resources> gl_;
+  RendererStats stats_;
+};
+
+}  // namespace knotwork::web

@@ -1,0 +1,269 @@
+#include "web/script_interface.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "knotwork/scene/chapters.h"
+#include "knotwork/scene/document_json.h"
+
+namespace knotwork::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string answer(Json value) {
+  Json json = Json::object();
+  json["value"] = std::move(value);
+  return text(json);
+}
+
+std::string refusal(const Error& error) {
+  Json inner = Json::object();
+  inner["message"] = error.message;
+  inner["path"] = error.path;
+  Json json = Json::object();
+  json["error"] = std::move(inner);
+  return text(json);
+}
+
+std::string answer(const Status& status) { return status ? answer(Json()) : refusal(status.error()); }
+
+Json array(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json array(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json value_json(const scene::ParameterValue& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+const char* kind_name(scene::ParameterKind kind) {
+  switch (kind) {
+    case scene::ParameterKind::number:
+      return "number";
+    case scene::ParameterKind::integer:
+      return "integer";
+    case scene::ParameterKind::choice:
+      return "choice";
+    case scene::ParameterKind::toggle:
+      return "toggle";
+  }
+  return "";
+}
+
+/// Digits below the line, as the page's table writes knots: t₁₂.
+std::string subscript(int number) {
+  std::string digits = std::to_string(number), result;
+  for (const char digit : digits) {
+    result += "\xE2\x82";
+    result += static_cast<char>(0x80 + (digit - '0'));
+  }
+  return result;
+}
+
+Json direction(const scene::DirectionSummary& summary, const char* letter) {
+  const bool closed = summary.topology == Topology::closed;
+  Json json = Json::object();
+  json["topology"] = closed ? "closed" : "open";
+  json["domain"] = "[" + (letter + subscript(summary.first_knot)) + ", " + (letter + subscript(summary.last_knot)) +
+                   (closed ? ")" : "]");
+  json["start"] = summary.start;
+  json["end"] = summary.end;
+  json["knots"] = summary.knots;
+  json["patches"] = summary.patches;
+  json["locals"] = summary.locals;
+  return json;
+}
+
+const char* shape_name(const scene::BlendingSurfaceObject& object) {
+  const bool u = object.topology_u == Topology::closed, v = object.topology_v == Topology::closed;
+  switch (scene::model_kind(object.model)) {
+    case scene::ModelKind::plane:
+      return "plane";
+    case scene::ModelKind::cylinder:
+      return "cylinder";
+    case scene::ModelKind::torus:
+      return "torus";
+    case scene::ModelKind::sheet:
+      return u && v ? "torus" : u || v ? "cylinder" : "plane";
+  }
+  return "";
+}
+
+Json parse(std::string_view json) { return Json::parse(json.begin(), json.end(), nullptr, false); }
+
+}  // namespace
+
+std::string answer_document(const App& app) { return answer(parse(scene::write_document(app.document()))); }
+
+std::string answer_load(App& app, std::string_view json) {
+  Result<scene::Document> document = scene::parse_document(json);
+  if (!document) return refusal(document.error());
+  return answer(app.load(std::move(document).value()));
+}
+
+std::string answer_parameters(const App& app) {
+  Json rows = Json::array();
+  for (const scene::Parameter& parameter : scene::parameters()) {
+    Json row = Json::object();
+    row["id"] = parameter.id;
+    row["label"] = parameter.label;
+    row["group"] = parameter.group;
+    row["kind"] = kind_name(parameter.kind);
+    const bool numeric =
+        parameter.kind == scene::ParameterKind::number || parameter.kind == scene::ParameterKind::integer;
+    row["min"] = numeric ? Json(parameter.min) : Json();
+    row["max"] = numeric ? Json(parameter.max) : Json();
+    row["softMax"] = numeric ? Json(parameter.soft_max) : Json();
+    row["step"] = numeric ? Json(parameter.step) : Json();
+    row["unit"] = parameter.unit;
+    Json choices = Json::array();
+    for (const scene::Choice& choice : parameter.choices) {
+      Json entry = Json::object();
+      entry["id"] = choice.id;
+      entry["label"] = choice.label;
+      entry["refused"] = scene::refused_choice(app.document(), parameter, choice.id);
+      choices.push_back(std::move(entry));
+    }
+    row["choices"] = std::move(choices);
+    row["value"] = value_json(parameter.get(app.document()));
+    row["disabled"] = parameter.disabled != nullptr ? parameter.disabled(app.document()) : std::string();
+    rows.push_back(std::move(row));
+  }
+  return answer(std::move(rows));
+}
+
+std::string answer_set(App& app, std::string_view id, std::string_view json_value) {
+  const Json json = parse(json_value);
+  scene::SetParameter command{std::string(id), false};
+  if (json.is_number()) {
+    command.value = json.get<double>();
+  } else if (json.is_string()) {
+    command.value = json.get<std::string>();
+  } else if (json.is_boolean()) {
+    command.value = json.get<bool>();
+  } else {
+    return refusal({std::string(id), "A value is a finite number, a choice's name, true or false."});
+  }
+  return answer(app.perform(command));
+}
+
+std::string answer_handles(App& app) {
+  Json handles = Json::array();
+  for (const Handle& handle : app.handles()) {
+    Json json = Json::object();
+    json["id"] = handle_id(handle.patch);
+    json["object"] = app.document().objects.front().id;
+    json["label"] = "Patch " + std::to_string(handle.patch.first) + ", " + std::to_string(handle.patch.second);
+    json["position"] = array(handle.position);
+    json["screen"] = handle.screen ? Json::array({handle.screen->x, handle.screen->y}) : Json();
+    json["selected"] = app.selected() == handle.patch;
+    handles.push_back(std::move(json));
+  }
+  return answer(std::move(handles));
+}
+
+std::string answer_widgets(const App& app) {
+  Json widgets = Json::array();
+  for (const Widget& widget : app.widgets()) {
+    Json json = Json::object();
+    json["label"] = widget.label;
+    json["rect"] = widget.rect;
+    widgets.push_back(std::move(json));
+  }
+  return answer(std::move(widgets));
+}
+
+std::string answer_evaluate(const App& app, std::string_view object, std::string_view json_parameter, int order) {
+  if (object != app.document().objects.front().id)
+    return refusal({"object", "There is no object \"" + std::string(object) + "\" in the document."});
+  if (order < 0 || order > 2) return refusal({"order", "The order of derivatives is 0, 1 or 2."});
+  const Json at = parse(json_parameter);
+  if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number())
+    return refusal({"parameter", "A surface is evaluated at [u, v], two finite numbers."});
+  const SurfaceJet jet = app.surface_at_rest().evaluate(at[0].get<double>(), at[1].get<double>());
+  Json json = Json::object();
+  json["S"] = array(jet.s);
+  if (order >= 1) {
+    json["Su"] = array(jet.su);
+    json["Sv"] = array(jet.sv);
+  }
+  if (order >= 2) {
+    json["Suu"] = array(jet.suu);
+    json["Suv"] = array(jet.suv);
+    json["Svv"] = array(jet.svv);
+  }
+  return answer(std::move(json));
+}
+
+std::string answer_play(App& app, bool playing) {
+  return answer(app.perform(scene::SetParameter{"animation.playing", playing}));
+}
+
+std::string answer_seek(App& app, double seconds) {
+  if (!std::isfinite(seconds)) return refusal({"seconds", "The clock is set to a finite number of seconds."});
+  const double wrapped = seconds - scene::clock_period * std::floor(seconds / scene::clock_period);
+  return answer(app.perform(scene::SetParameter{"animation.time", wrapped}));
+}
+
+std::string answer_undo(App& app) { return answer(Json(app.undo())); }
+std::string answer_redo(App& app) { return answer(Json(app.redo())); }
+
+std::string answer_stats(const App& app) {
+  Json json = Json::object();
+  json["frames"] = app.stats().frames;
+  json["drawCalls"] = app.renderer_stats().draw_calls;
+  json["vertices"] = app.renderer_stats().vertices;
+  json["uploadBytes"] = app.renderer_stats().upload_bytes;
+  json["evaluateMs"] = app.stats().evaluate_ms;
+  json["frameMs"] = app.stats().frame_ms;
+  return answer(std::move(json));
+}
+
+std::string answer_chapters() {
+  Json chapters = Json::array();
+  for (const scene::Chapter& chapter : scene::chapters()) {
+    Json json = Json::object();
+    json["id"] = chapter.id;
+    json["title"] = chapter.title;
+    Json parameters = Json::array();
+    for (const std::string_view id : chapter.parameters) parameters.push_back(id);
+    json["parameters"] = std::move(parameters);
+    chapters.push_back(std::move(json));
+  }
+  return answer(std::move(chapters));
+}
+
+std::string answer_open(App& app, std::string_view chapter) { return answer(app.open_chapter(chapter)); }
+
+std::string answer_select(App& app, std::string_view handle) {
+  if (handle.empty()) {
+    app.select(std::nullopt);
+    return answer(Json());
+  }
+  const std::optional<scene::PatchIndex> patch = handle_patch(handle);
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(app.document());
+  if (!patch || patch->first >= object.locals_u || patch->second >= object.locals_v)
+    return refusal({"handle", "There is no handle \"" + std::string(handle) + "\"."});
+  app.select(patch);
+  return answer(Json());
+}
+
+std::string answer_state(const App& app) {
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(app.document());
+  const BlendingSurface surface = app.surface_at_rest();
+  Json json = Json::object();
+  json["canUndo"] = app.history().can_undo();
+  json["canRedo"] = app.history().can_redo();
+  json["undoLabel"] = app.history().undo_label();
+  json["redoLabel"] = app.history().redo_label();
+  json["notice"] = app.notice();
+  json["shape"] = shape_name(object);
+  json["selected"] = app.selected() ? handle_id(*app.selected()) : std::string();
+  json["u"] = direction(scene::summary_u(surface), "u");
+  json["v"] = direction(scene::summary_v(surface), "v");
+  return answer(std::move(json));
+}
+
+}  // namespace knotwork::web

@@ -1,0 +1,38 @@
+// One local patch as a sheet of its own: s_ij over its support, two intervals each way; an instance a patch.
+uniform mat4 u_view_projection;
+uniform ivec2 u_steps;
+uniform ivec2 u_last;          // last grid column and row
+uniform ivec2 u_locals;        // locals to draw: n_u, n_v
+uniform ivec2 u_closed;        // 1 where the direction wraps
+uniform ivec2 u_only;          // the one local to draw, or (-1, -1)
+
+out vec3 v_point;
+out vec3 v_normal;
+flat out vec3 v_hue;
+out vec2 v_support;  // -1 .. 1 from edge to edge of the support
+
+int grid_position(int centre, int offset, int last, int closed) {
+  int position = centre + offset;
+  if (closed == 1) return (position % last + last) % last;
+  return clamp(position, 0, last);
+}
+
+void main() {
+  ivec2 local = u_only.x >= 0 ? u_only : ivec2(gl_InstanceID / u_locals.y, gl_InstanceID % u_locals.y);
+  ivec2 size = 2 * u_steps + 1;
+  ivec2 offset = ivec2(gl_VertexID / size.y, gl_VertexID % size.y) - u_steps;
+  ivec2 centre = local * u_steps;
+  ivec2 vertex = ivec2(grid_position(centre.x, offset.x, u_last.x, u_closed.x),
+                       grid_position(centre.y, offset.y, u_last.y, u_closed.y));
+  mat3x4 map = map_of(local);
+  v_point = vec4(model_point(vertex), 1.0) * map;
+  vec3 su = vec4(texelFetch(u_partials_u, vertex.yx, 0).xyz, 0.0) * map;
+  vec3 sv = vec4(texelFetch(u_partials_v, vertex.yx, 0).xyz, 0.0) * map;
+  v_normal = cross(su, sv);
+  v_hue = texelFetch(u_hues, local.yx, 0).xyz;
+  v_support = vec2(offset) / vec2(u_steps);
+  if (u_closed.x == 0) v_support.x = vertex.x == 0 || vertex.x == u_last.x ? sign(v_support.x + 1e-6) : v_support.x;
+  if (u_closed.y == 0) v_support.y = vertex.y == 0 || vertex.y == u_last.y ? sign(v_support.y + 1e-6) : v_support.y;
+  gl_Position = u_view_projection * vec4(v_point, 1.0);
+  gl_Position.z -= 2e-4 * gl_Position.w;  // in front of the surface where it coincides with it
+}

@@ -1,0 +1,73 @@
+in vec3 v_point;
+in vec3 v_normal;
+in vec3 v_hue;
+in vec2 v_grid;
+in vec2 v_knot;
+out vec4 colour;
+
+uniform vec3 u_eye;
+uniform vec3 u_key_light;    // unit, towards the light
+uniform vec3 u_fill_light;
+uniform vec3 u_plain_hue;    // OKLab of the surface without patch colours
+uniform float u_patch_colours;
+uniform float u_knot_lines;  // opacity
+uniform float u_wireframe;   // opacity
+uniform vec3 u_line_colour;  // sRGB
+uniform float u_pixel_ratio;
+uniform float u_ambient;
+uniform vec4 u_held_cells;   // knot range (u0, u1, v0, v1) of the held patch's support, in intervals
+uniform vec2 u_knot_period;  // number of intervals in a closed direction, 0 in an open one
+uniform float u_held;        // how strongly the support is lit
+
+// Coverage of lines at whole numbers of x, `width` CSS pixels wide, antialiased; fades where they would crowd.
+float line_coverage(float x, float width) {
+  float change = fwidth(x);
+  float distance_in_pixels = abs(fract(x - 0.5) - 0.5) / max(change, 1e-7);
+  float half_width = 0.5 * width * u_pixel_ratio;
+  float cover = 1.0 - smoothstep(half_width - 0.6, half_width + 0.6, distance_in_pixels);
+  return cover * (1.0 - smoothstep(0.12, 0.4, change * u_pixel_ratio));
+}
+
+float inside_support(float x, float start, float end, float period) {
+  float shifted = period > 0.0 ? x - period * floor((x - start) / period) : x;
+  return step(start, shifted) * step(shifted, end);
+}
+
+void main() {
+  vec3 normal = v_normal;
+  if (dot(normal, normal) < 0.25) normal = cross(dFdx(v_point), dFdy(v_point));  // a pole: the facet's own normal
+  normal = normalize(normal);
+  vec3 to_eye = normalize(u_eye - v_point);
+  bool front = gl_FrontFacing;
+  if (!front) normal = -normal;
+  if (dot(normal, to_eye) < 0.0) normal = normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
+
+  vec3 hue = mix(u_plain_hue, v_hue, u_patch_colours);
+  if (!front) hue = vec3(hue.x * 0.93, hue.yz * 0.72);
+  vec3 albedo = linear_from_oklab(hue);
+
+  // A large soft key light from the upper left, a cool fill from behind, light from the floor.
+  float key = smoothstep(-0.35, 1.0, dot(normal, u_key_light));
+  float fill = 0.5 + 0.5 * dot(normal, u_fill_light);
+  float sky = 0.5 + 0.5 * normal.z;
+  vec3 light = vec3(1.00, 0.975, 0.94) * (0.98 * key * key + 0.16 * key) + vec3(0.86, 0.92, 1.0) * (0.20 * fill) +
+               mix(vec3(0.92, 0.86, 0.80) * 0.55, vec3(0.94, 0.97, 1.0), sky) * u_ambient;
+  vec3 half_key = normalize(u_key_light + to_eye);
+  float facing = max(dot(normal, to_eye), 0.0);
+  float fresnel = 0.035 + 0.5 * pow(1.0 - facing, 5.0);
+  float gloss = pow(max(dot(normal, half_key), 0.0), 70.0) * 0.55 + pow(max(dot(normal, half_key), 0.0), 14.0) * 0.09;
+  float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * sky) * 0.22;
+  vec3 lit = albedo * light + vec3(1.0, 0.99, 0.97) * (gloss + fresnel * 0.10 * sky) + albedo * rim;
+  if (u_held > 0.0) {
+    float within = inside_support(v_knot.x, u_held_cells.x, u_held_cells.y, u_knot_period.x) *
+                   inside_support(v_knot.y, u_held_cells.z, u_held_cells.w, u_knot_period.y);
+    lit *= 1.0 - 0.16 * u_held * (1.0 - within);
+  }
+  lit = lit / (1.0 + max(max(lit.r, max(lit.g, lit.b)) - 0.92, 0.0));  // keep the hue where light overflows
+
+  vec3 c = srgb_from_linear(lit);
+  float wire = max(line_coverage(v_grid.x, 0.8), line_coverage(v_grid.y, 0.8)) * u_wireframe;
+  float knots = max(line_coverage(v_knot.x, 1.25), line_coverage(v_knot.y, 1.25)) * u_knot_lines;
+  c = mix(c, u_line_colour, max(wire, knots));
+  colour = vec4(c + dither(gl_FragCoord.xy), 1.0);
+}

@@ -1,0 +1,21 @@
+uniform mat4 u_view_projection;
+uniform int u_rows;
+uniform vec2 u_steps;
+
+out vec3 v_point;
+out vec3 v_normal;
+out vec3 v_hue;
+out vec2 v_grid;
+out vec2 v_knot;
+
+void main() {
+  ivec2 vertex = ivec2(gl_VertexID / u_rows, gl_VertexID % u_rows);
+  SurfaceVertex surface = surface_vertex(vertex);
+  v_point = surface.point;
+  float size = length(surface.normal);
+  v_normal = size > 0.0 ? surface.normal / size : vec3(0.0);
+  v_hue = surface_hue(vertex);
+  v_grid = vec2(vertex);
+  v_knot = v_grid / u_steps;
+  gl_Position = u_view_projection * vec4(surface.point, 1.0);
+}
