@@ -16,6 +16,7 @@ target_link_options(knotwork PRIVATE
   -sMALLOC=emmalloc            # smaller than dlmalloc; nothing here allocates per vertex
   -sEXIT_RUNTIME=0             # main() returns, the page goes on calling exported functions
   -sSTRICT=1                   # no deprecated defaults
+  -lGL -lhtml5.js -lhtml5_webgl.js # what strictness no longer links by itself
   -sALLOW_UNIMPLEMENTED_SYSCALLS=1 # ImGui's and libc++'s printing refer to calls that are never made
   "-sEXPORTED_RUNTIME_METHODS=[ccall,cwrap,UTF8ToString,stringToUTF8,lengthBytesUTF8]"
   $<$<CONFIG:Release>:-O2>)
