@@ -1,0 +1,175 @@
+import createMarkdown, { type MarkdownIt } from 'markdown-it';
+import type { Mathematics } from './mathematics';
+
+/// A chapter file is Markdown with a head of `key: value` lines between two `---`, and with five additions:
+///
+///     $tex$ and $$tex$$               mathematics; in a block, a line `%% narrow` starts the form for narrow columns
+///     [words](knotwork:set?id=value)  a phrase that acts (see src/actions.ts)
+///     [words](hue:a)                  words in a local patch's hue, a to d
+///     ::: name arguments ... :::      a block: try, lead; controls id id ..., report, patches, settings
+///     ## Title                        a section; its id is made from the title
+
+export interface Chapter {
+  id: string;
+  title: string;
+  summary: string;
+  sections: { id: string; title: string }[];
+  html: string;
+}
+
+export function renderChapter(source: string, mathematics: Mathematics): Chapter {
+  const head = /^---\n([\s\S]*?)\n---\n/.exec(source);
+  if (!head) throw new Error('a chapter starts with a head between two lines of ---');
+  const fields = new Map<string, string>();
+  for (const line of (head[1] ?? '').split('\n')) {
+    const colon = line.indexOf(':');
+    if (colon < 0) throw new Error(`a chapter's head has lines of "key: value", not "${line}"`);
+    fields.set(line.slice(0, colon).trim(), line.slice(colon + 1).trim());
+  }
+  const field = (name: string): string => {
+    const value = fields.get(name);
+    if (!value) throw new Error(`a chapter's head needs "${name}"`);
+    return value;
+  };
+  const sections: Chapter['sections'] = [];
+  const html = markdown(mathematics, sections).render(source.slice(head[0].length));
+  return { id: field('id'), title: field('title'), summary: field('summary'), sections, html };
+}
+
+export function slug(title: string): string {
+  return title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-|-$/g, '');
+}
+
+function markdown(mathematics: Mathematics, sections: Chapter['sections']): MarkdownIt {
+  const md = createMarkdown({ typographer: false, html: false });
+  addMathematics(md, mathematics);
+  addBlocks(md);
+  addLinks(md);
+  md.renderer.rules['heading_open'] = (tokens, index, options, _env, self) => {
+    const token = tokens[index]!;
+    if (token.tag === 'h2') {
+      const title = tokens[index + 1]!.content;
+      const id = slug(title);
+      if (sections.some((section) => section.id === id)) throw new Error(`two sections are called "${title}"`);
+      sections.push({ id, title });
+      token.attrSet('id', id);
+    }
+    return self.renderToken(tokens, index, options);
+  };
+  return md;
+}
+
+function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
+  md.inline.ruler.before('escape', 'mathematics', (state, silent) => {
+    if (state.src[state.pos] !== '$') return false;
+    const end = state.src.indexOf('$', state.pos + 1);
+    if (end < 0) throw new Error(`mathematics without an end: ${state.src.slice(state.pos)}`);
+    if (!silent) state.push('math_inline', '', 0).content = state.src.slice(state.pos + 1, end);
+    state.pos = end + 1;
+    return true;
+  });
+  md.block.ruler.before('fence', 'mathematics', (state, start, last, silent) => {
+    const line = (n: number): string => state.src.slice(state.bMarks[n]! + state.tShift[n]!, state.eMarks[n]);
+    if (line(start).trim() !== '$$') return false;
+    if (silent) return true;
+    let end = start + 1;
+    while (end < last && line(end).trim() !== '$$') ++end;
+    const token = state.push('math_block', '', 0);
+    token.content = state.getLines(start + 1, end, 0, false);
+    token.map = [start, end + 1];
+    state.line = end + 1;
+    return true;
+  });
+  // Punctuation behind a formula stays on its line.
+  md.core.ruler.push('punctuation', (state) => {
+    for (const { children } of state.tokens) {
+      children?.forEach((token, index) => {
+        const next = children[index + 1];
+        if (token.type !== 'math_inline' || next?.type !== 'text') return;
+        token.info = /^[.,:;!?)]+/.exec(next.content)?.[0] ?? '';
+        next.content = next.content.slice(token.info.length);
+      });
+    }
+  });
+  md.renderer.rules['math_inline'] = (tokens, index) => {
+    const { content, info } = tokens[index]!;
+    return `<span class="math">${mathematics.render(content, false)}${info}</span>`;
+  };
+  md.renderer.rules['math_block'] = (tokens, index) => {
+    const [wide = '', narrow] = tokens[index]!.content.split(/^%% narrow$/m);
+    const form = (tex: string, name: string): string =>
+      `<div class="${name}">${mathematics.render(tex.trim(), true)}</div>`;
+    const body = narrow === undefined ? form(wide, 'any') : form(wide, 'wide') + form(narrow, 'narrow');
+    return `<div class="formula">${body}</div>\n`;
+  };
+}
+
+/// Control rows are written empty into the page at their final height, so that nothing moves when they are filled.
+function block(name: string, words: string[]): [open: string, close: string] {
+  const row = (id: string): string => `<div class="control" data-parameter="${id}"></div>`;
+  switch (name) {
+    case 'lead':
+      return ['<div class="lead">', '</div>'];
+    case 'try':
+      return ['<aside class="try" aria-label="Try it"><p class="try-title">Try it</p>', '</aside>'];
+    case 'controls':
+      return [`<div class="controls">${words.map(row).join('')}`, '</div>'];
+    case 'report':
+      return ['<div class="report" data-report>', '</div>'];
+    case 'patches':
+      return ['<div class="controls"><div class="control" data-patches></div>', '</div>'];
+    case 'settings':
+      return ['<div class="settings" data-settings>', '</div>'];
+    default:
+      throw new Error(`there is no block called "${name}"`);
+  }
+}
+
+function addBlocks(md: MarkdownIt): void {
+  md.block.ruler.before(
+    'fence',
+    'blocks',
+    (state, start, last, silent) => {
+      const line = (n: number): string => state.src.slice(state.bMarks[n]! + state.tShift[n]!, state.eMarks[n]).trim();
+      const opening = /^:::\s*(\w.*)$/.exec(line(start));
+      if (!opening) return false;
+      if (silent) return true;
+      let end = start + 1;
+      while (end < last && line(end) !== ':::') ++end;
+      if (end >= last) throw new Error(`a block without an end: ${line(start)}`);
+      const [name = '', ...words] = opening[1]!.split(/\s+/);
+      const [open, close] = block(name, words);
+      state.push('html_block', '', 0).content = `${open}\n`;
+      const lineMax = state.lineMax;
+      state.lineMax = end;
+      state.md.block.tokenize(state, start + 1, end);
+      state.lineMax = lineMax;
+      state.push('html_block', '', 0).content = `${close}\n`;
+      state.line = end + 1;
+      return true;
+    },
+    { alt: ['paragraph', 'reference', 'blockquote', 'list'] },
+  );
+}
+
+function addLinks(md: MarkdownIt): void {
+  const closing: string[] = [];
+  md.renderer.rules['link_open'] = (tokens, index, options, _env, self) => {
+    const token = tokens[index]!;
+    const href = String(token.attrGet('href') ?? '');
+    if (href.startsWith('knotwork:')) {
+      closing.push('</button>');
+      return `<button type="button" class="act" data-run="${md.utils.escapeHtml(href.slice(9))}" disabled>`;
+    }
+    if (href.startsWith('hue:')) {
+      closing.push('</span>');
+      return `<span class="local-${md.utils.escapeHtml(href.slice(4))}">`;
+    }
+    closing.push('</a>');
+    return self.renderToken(tokens, index, options);
+  };
+  md.renderer.rules['link_close'] = () => closing.pop() ?? '';
+}

@@ -1,0 +1,124 @@
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { HtmlTagDescriptor, Plugin } from 'vite';
+import { renderChapter, type Chapter } from './chapter';
+import { makeFonts } from './fonts';
+import { Mathematics } from './mathematics';
+
+export interface PageOptions {
+  root: string;             ///< the shell's folder
+  moduleDirectory: string;  ///< where knotwork.js and knotwork.wasm are
+  policy: string;           ///< content security policy of the built page
+  sourceUrl: string;        ///< where the source can be read; '' for no link
+}
+
+/// Writes the chapters into index.html as real HTML, makes the fonts and the mathematics' stylesheet, and lets the
+/// module start to download before the scripts have been read.
+export function page(options: PageOptions): Plugin {
+  const generated = join(options.root, 'generated');
+  const chapterDirectory = join(options.root, 'chapters');
+  let chapters: Chapter[] = [];
+
+  const prepare = async (): Promise<void> => {
+    const mathematics = new Mathematics();
+    chapters = readdirSync(chapterDirectory)
+      .filter((name) => name.endsWith('.md'))
+      .sort()
+      .map((name) => {
+        try {
+          return renderChapter(readFileSync(join(chapterDirectory, name), 'utf8'), mathematics);
+        } catch (error) {
+          throw new Error(`chapters/${name}: ${error instanceof Error ? error.message : String(error)}`);
+        }
+      });
+    mkdirSync(generated, { recursive: true });
+    writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet());
+    const text = chapters.map((chapter) => chapter.html.replace(/<math[\s\S]*?<\/math>|<[^>]*>/g, '')).join('');
+    await makeFonts(generated, text + readFileSync(join(options.root, 'index.html'), 'utf8'), mathematics);
+  };
+
+  return {
+    name: 'knotwork-page',
+
+    async buildStart() {
+      for (const file of ['knotwork.js', 'knotwork.wasm']) {
+        const path = join(options.moduleDirectory, file);
+        if (existsSync(path)) continue;
+        throw new Error(
+          `${path} is missing: build the module first (cmake --workflow --preset web), or set KNOTWORK_MODULE_DIR`,
+        );
+      }
+      await prepare();
+    },
+
+    config: () => ({
+      define: {
+        __WASM_BYTES__: JSON.stringify(sizeOf(join(options.moduleDirectory, 'knotwork.wasm'))),
+      },
+    }),
+
+    async handleHotUpdate({ file, server }) {
+      if (!file.startsWith(chapterDirectory)) return;
+      await prepare();
+      server.ws.send({ type: 'full-reload' });
+    },
+
+    transformIndexHtml: {
+      order: 'pre',
+      handler: (html) =>
+        html
+          .replace('<!--sections-->', () => sectionMarks(chapters))
+          .replace('<!--chapters-->', () => chapters.map(article).join('\n'))
+          .replace('<!--source-->', () => sourceLink(options.sourceUrl))
+          .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? ''),
+    },
+  };
+}
+
+/// The policy, and hints for what the first visit needs: known only when the bundle is.
+export function head(options: PageOptions): Plugin {
+  return {
+    name: 'knotwork-head',
+    apply: 'build',
+    transformIndexHtml: {
+      order: 'post',
+      handler: (html, context) => {
+        const tags: HtmlTagDescriptor[] = [];
+        const preload = (file: string, attributes: Record<string, string | boolean>): void => {
+          tags.push({ tag: 'link', attrs: { href: `./${file}`, ...attributes }, injectTo: 'head' });
+        };
+        for (const [file, output] of Object.entries(context.bundle ?? {})) {
+          if (/\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
+          if (/\/(serif|sans)-[\w-]+\.woff2$/.test(file) && !/italic/.test(file)) {
+            preload(file, { rel: 'preload', as: 'font', type: 'font/woff2', crossorigin: true });
+          }
+          if (output.type === 'chunk' && !output.isEntry) preload(file, { rel: 'modulepreload', crossorigin: true });
+        }
+        const meta = `<meta http-equiv="Content-Security-Policy" content="${options.policy}">`;
+        return { html: html.replace(/(<meta charset="[^"]*">)/, `$1\n    ${meta}`), tags };
+      },
+    },
+  };
+}
+
+function sizeOf(path: string): number {
+  return existsSync(path) ? statSync(path).size : 0;
+}
+
+function article(chapter: Chapter): string {
+  return (
+    `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}">\n` +
+    `<h1>${chapter.title}</h1>\n${chapter.html}</article>`
+  );
+}
+
+function sectionMarks(chapters: Chapter[]): string {
+  const marks = chapters
+    .flatMap((chapter) => chapter.sections)
+    .map(({ id, title }) => `<li><a href="#${id}" title="${title}"><span class="hidden">${title}</span></a></li>`);
+  return `<ol class="marks">${marks.join('')}</ol>`;
+}
+
+function sourceLink(url: string): string {
+  return url ? `<a class="quiet" href="${url}">Source</a>` : '';
+}

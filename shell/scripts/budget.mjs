@@ -1,0 +1,50 @@
+// What a first visit transfers, computed from dist: the page, everything that its entry loads (scripts, styles, fonts,
+// module), its icons. Fails above the budget.
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { dist } from './files.mjs';
+
+const totalBudget = 450 * 1024;
+const wasmBudget = 200 * 1024;
+
+const json = async (file) => JSON.parse(await readFile(join(dist, file), 'utf8'));
+const [manifest, sizes] = await Promise.all([json('manifest.json'), json('sizes.json')]);
+
+const loaded = new Set(['index.html', 'favicon.svg', 'manifest.webmanifest']);
+function follow(key) {
+  const chunk = manifest[key];
+  if (!chunk || loaded.has(chunk.file)) return;
+  loaded.add(chunk.file);
+  for (const file of [...(chunk.css ?? []), ...(chunk.assets ?? [])]) loaded.add(file);
+  for (const next of [...(chunk.imports ?? []), ...(chunk.dynamicImports ?? [])]) follow(next);
+}
+follow('index.html');
+// Fonts and other files that a style sheet names.
+for (const file of [...loaded].filter((name) => name.endsWith('.css'))) {
+  const css = await readFile(join(dist, file), 'utf8');
+  for (const [, url] of css.matchAll(/url\(["']?(?:\.\/)?([^)"']+)["']?\)/g)) loaded.add(`assets/${url}`);
+}
+
+const transferred = (file) => {
+  const size = sizes[file];
+  if (!size) throw new Error(`${file} is loaded but is not in dist/sizes.json: run npm run build`);
+  return Math.min(size.br ?? size.raw, size.raw);
+};
+let total = 0;
+let wasm = 0;
+for (const file of [...loaded].sort((a, b) => transferred(b) - transferred(a))) {
+  const bytes = transferred(file);
+  total += bytes;
+  if (file.endsWith('.wasm')) wasm += bytes;
+  console.log(`${(bytes / 1024).toFixed(1).padStart(8)} KB  ${file}`);
+}
+console.log(`${(total / 1024).toFixed(1).padStart(8)} KB  first visit, of ${totalBudget / 1024} KB`);
+console.log(`${(wasm / 1024).toFixed(1).padStart(8)} KB  of it WebAssembly, of ${wasmBudget / 1024} KB`);
+if (wasm === 0) {
+  console.error('no WebAssembly among the files loaded: the calculation is wrong');
+  process.exitCode = 1;
+}
+if (total > totalBudget || wasm > wasmBudget) {
+  console.error('over the budget');
+  process.exitCode = 1;
+}

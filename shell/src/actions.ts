@@ -1,0 +1,44 @@
+import type { Bridge } from './bridge';
+import type { Parameter } from './knotwork';
+
+/// What a phrase of the prose does: `set?id=value&id=value`, `play`, `pause`, `open?id=chapter`.
+export type Action =
+  | { kind: 'set'; values: [id: string, value: number | string | boolean][] }
+  | { kind: 'play' | 'pause' }
+  | { kind: 'open'; chapter: string };
+
+export function parseAction(text: string): Action {
+  const [name, query = ''] = text.split('?');
+  const pairs = [...new URLSearchParams(query)];
+  if (name === 'play' || name === 'pause') return { kind: name };
+  if (name === 'open' && pairs[0]?.[0] === 'id') return { kind: 'open', chapter: pairs[0][1] };
+  if (name === 'set' && pairs.length > 0) return { kind: 'set', values: pairs.map(([id, value]) => [id, parse(value)]) };
+  throw new Error(`a phrase cannot do "${text}"`);
+}
+
+export function run(action: Action, bridge: Bridge): void {
+  switch (action.kind) {
+    case 'set':
+      for (const [id, value] of action.values) bridge.set(id, value);
+      break;
+    case 'play':
+    case 'pause':
+      bridge.play(action.kind === 'play');
+      break;
+    case 'open':
+      bridge.open(action.chapter);
+      break;
+  }
+}
+
+/// Whether the action has nothing left to do.
+export function fulfilled(action: Action, parameters: ReadonlyMap<string, Parameter>): boolean {
+  if (action.kind === 'set') return action.values.every(([id, value]) => parameters.get(id)?.value === value);
+  if (action.kind === 'open') return false;
+  return parameters.get('animation.playing')?.value === (action.kind === 'play');
+}
+
+function parse(value: string): number | string | boolean {
+  if (value === 'true' || value === 'false') return value === 'true';
+  return value !== '' && Number.isFinite(Number(value)) ? Number(value) : value;
+}

@@ -1,0 +1,194 @@
+import type { ChapterRow, DocumentJson, Handle, Parameter, Stats, SurfaceJet, Vector3, Widget } from './knotwork';
+
+/// The typed side of web/bridge.h: one method for each exported function, JSON unwrapped. Positions here are CSS
+/// pixels from the stage's upper left corner.
+
+type Instantiate = (
+  imports: WebAssembly.Imports,
+  done: (instance: WebAssembly.Instance, module?: WebAssembly.Module) => void,
+) => object;
+
+/// What Emscripten's factory takes.
+export interface ModuleOptions {
+  canvas: HTMLCanvasElement;
+  instantiateWasm: Instantiate;
+  print(text: string): void;
+  printErr(text: string): void;
+  onAbort(reason: unknown): void;
+}
+
+export type ModuleFactory = (options: ModuleOptions) => Promise<EmscriptenModule>;
+
+type Argument = number | string | boolean;
+
+export interface EmscriptenModule {
+  ccall(name: string, result: 'string' | 'number' | null, types: ('string' | 'number')[], values: Argument[]): unknown;
+  HEAPU8: Uint8Array;
+  _malloc(size: number): number;
+  _free(pointer: number): void;
+}
+
+export enum PointerKind { move, down, up, cancel, leave }
+export enum Device { mouse, pen, touch }
+
+export interface Direction {
+  topology: 'open' | 'closed';
+  domain: string;
+  knots: number;
+  patches: number;
+  locals: number;
+}
+
+/// knotwork_state(): what the page beside the stage shows.
+export interface State {
+  canUndo: boolean;
+  canRedo: boolean;
+  undoLabel: string;
+  redoLabel: string;
+  notice: string;
+  shape: string;
+  selected: string;
+  u: Direction;
+  v: Direction;
+}
+
+/// An answer of the module that says no.
+export class RefusedError extends Error {
+  override readonly name = 'KnotworkError';
+  constructor(
+    message: string,
+    readonly path: string,
+  ) {
+    super(message);
+  }
+}
+
+type Answer = { value: unknown } | { error: { message: string; path: string } };
+
+/// The value of a JSON answer, or its error thrown.
+export function unwrap(json: string): unknown {
+  const answer = JSON.parse(json) as Answer;
+  if ('error' in answer) throw new RefusedError(answer.error.message, answer.error.path);
+  return answer.value;
+}
+
+export class Bridge {
+  constructor(private readonly module: EmscriptenModule) {}
+
+  start(selector: string): boolean {
+    return this.number('knotwork_start', selector) !== 0;
+  }
+  font(bytes: Uint8Array, weight: 400 | 600): void {
+    const pointer = this.module._malloc(bytes.length);
+    this.module.HEAPU8.set(bytes, pointer);
+    this.number('knotwork_font', pointer, bytes.length, weight);
+    this.module._free(pointer);
+  }
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.number('knotwork_resize', width, height, pixelRatio);
+  }
+  scheme(dark: boolean): void {
+    this.number('knotwork_scheme', Number(dark));
+  }
+  reducedMotion(reduced: boolean): void {
+    this.number('knotwork_reduced_motion', Number(reduced));
+  }
+  context(present: boolean): void {
+    this.number('knotwork_context', Number(present));
+  }
+  /// True: another frame is wanted.
+  frame(now: number): boolean {
+    return this.number('knotwork_frame', now) !== 0;
+  }
+
+  /// The input functions say whether the event was used.
+  pointer(
+    kind: PointerKind, id: number, device: Device, x: number, y: number, button: number, modifiers: number, time: number,
+  ): boolean {
+    return this.number('knotwork_pointer', kind, id, device, x, y, button, modifiers, time) !== 0;
+  }
+  wheel(deltaX: number, deltaY: number, x: number, y: number, modifiers: number): boolean {
+    return this.number('knotwork_wheel', deltaX, deltaY, x, y, modifiers) !== 0;
+  }
+  key(down: boolean, key: string, modifiers: number): boolean {
+    return this.number('knotwork_key', Number(down), key, modifiers) !== 0;
+  }
+  text(text: string): void {
+    this.number('knotwork_text', text);
+  }
+  focus(focused: boolean): void {
+    this.number('knotwork_focus', Number(focused));
+  }
+  cursor(): string {
+    return this.string('knotwork_cursor');
+  }
+
+  version(): string {
+    return this.string('knotwork_version');
+  }
+  document(): DocumentJson {
+    return this.json('knotwork_document') as DocumentJson;
+  }
+  load(json: string): void {
+    this.json('knotwork_load', json);
+  }
+  parameters(): Parameter[] {
+    return this.json('knotwork_parameters') as Parameter[];
+  }
+  set(id: string, value: number | string | boolean): void {
+    this.json('knotwork_set', id, JSON.stringify(value));
+  }
+  handles(): Handle[] {
+    return this.json('knotwork_handles') as Handle[];
+  }
+  widgets(): Widget[] {
+    return this.json('knotwork_widgets') as Widget[];
+  }
+  evaluate(object: string, parameter: number | [number, number], order: number): SurfaceJet & Vector3[] {
+    return this.json('knotwork_evaluate', object, JSON.stringify(parameter), order) as SurfaceJet & Vector3[];
+  }
+  play(playing: boolean): void {
+    this.json('knotwork_play', Number(playing));
+  }
+  seek(seconds: number): void {
+    this.json('knotwork_seek', seconds);
+  }
+  undo(): void {
+    this.json('knotwork_undo');
+  }
+  redo(): void {
+    this.json('knotwork_redo');
+  }
+  stats(): Stats {
+    return this.json('knotwork_stats') as Stats;
+  }
+  chapters(): ChapterRow[] {
+    return this.json('knotwork_chapters') as ChapterRow[];
+  }
+  open(chapter: string): void {
+    this.json('knotwork_open', chapter);
+  }
+  state(): State {
+    return this.json('knotwork_state') as State;
+  }
+  revision(): number {
+    return this.number('knotwork_revision');
+  }
+  select(handle: string): void {
+    this.number('knotwork_select', handle);
+  }
+
+  private number(name: string, ...values: (number | string)[]): number {
+    return this.module.ccall(name, 'number', values.map(typeName), values) as number;
+  }
+  private string(name: string, ...values: (number | string)[]): string {
+    return this.module.ccall(name, 'string', values.map(typeName), values) as string;
+  }
+  private json(name: string, ...values: (number | string)[]): unknown {
+    return unwrap(this.string(name, ...values));
+  }
+}
+
+function typeName(value: number | string): 'number' | 'string' {
+  return typeof value === 'string' ? 'string' : 'number';
+}

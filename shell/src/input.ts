@@ -1,0 +1,103 @@
+import { Device, PointerKind, type Bridge } from './bridge';
+
+/// Pointer, wheel and key events of the canvas, handed to the module. What they mean is decided there.
+export function listen(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: () => void): void {
+  const position = (event: MouseEvent): [x: number, y: number] => {
+    const rect = canvas.getBoundingClientRect();
+    return [event.clientX - rect.left, event.clientY - rect.top];
+  };
+
+  const pointer = (kind: PointerKind) => (event: PointerEvent) => {
+    const [x, y] = position(event);
+    const device = deviceOf(event.pointerType);
+    const used = bridge.pointer(
+      kind, event.pointerId, device, x, y, event.button, modifiersOf(event), event.timeStamp,
+    );
+    if (used && event.cancelable) event.preventDefault();
+    const cursor = bridge.cursor();
+    if (canvas.style.cursor !== cursor) canvas.style.cursor = cursor;
+    requestFrame();
+  };
+
+  canvas.addEventListener('pointerdown', (event) => {
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    pointer(PointerKind.down)(event);
+  });
+  canvas.addEventListener('pointermove', pointer(PointerKind.move));
+  canvas.addEventListener('pointerup', pointer(PointerKind.up));
+  canvas.addEventListener('pointercancel', pointer(PointerKind.cancel));
+  canvas.addEventListener('pointerleave', pointer(PointerKind.leave));
+  canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+
+  // A plain wheel scrolls the page. With Ctrl or Meta, as a pinch on a trackpad sends it, it zooms.
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      const unit = wheelUnit(event.deltaMode, canvas.clientHeight);
+      const [x, y] = position(event);
+      bridge.wheel(event.deltaX * unit, event.deltaY * unit, x, y, modifiersOf(event));
+      requestFrame();
+    },
+    { passive: false },
+  );
+  listenToGestures(canvas, bridge, requestFrame);
+
+  canvas.addEventListener('keydown', (event) => {
+    if (event.isComposing) return;
+    const used = bridge.key(true, event.key, modifiersOf(event));
+    if (event.key.length === 1 && !event.ctrlKey && !event.metaKey && !event.altKey) bridge.text(event.key);
+    if (used && event.key !== 'Tab') event.preventDefault();
+    requestFrame();
+  });
+  canvas.addEventListener('keyup', (event) => {
+    bridge.key(false, event.key, modifiersOf(event));
+    requestFrame();
+  });
+  for (const focused of [true, false]) {
+    canvas.addEventListener(focused ? 'focus' : 'blur', () => {
+      bridge.focus(focused);
+      requestFrame();
+    });
+  }
+}
+
+/// Safari's pinch on a trackpad comes as gesture events, not as a wheel with Ctrl.
+function listenToGestures(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: () => void): void {
+  let scale = 1;
+  canvas.addEventListener('gesturestart', (event) => {
+    event.preventDefault();
+    scale = 1;
+  });
+  canvas.addEventListener('gesturechange', (event) => {
+    event.preventDefault();
+    const gesture = event as Event & { scale: number; clientX: number; clientY: number };
+    const rect = canvas.getBoundingClientRect();
+    const delta = -100 * Math.log(gesture.scale / scale);
+    scale = gesture.scale;
+    bridge.wheel(0, delta, gesture.clientX - rect.left, gesture.clientY - rect.top, modifier.ctrl);
+    requestFrame();
+  });
+}
+
+const modifier = { shift: 1, ctrl: 2, alt: 4, meta: 8 };
+
+export function modifiersOf(event: { shiftKey: boolean; ctrlKey: boolean; altKey: boolean; metaKey: boolean }): number {
+  return (
+    (event.shiftKey ? modifier.shift : 0) |
+    (event.ctrlKey ? modifier.ctrl : 0) |
+    (event.altKey ? modifier.alt : 0) |
+    (event.metaKey ? modifier.meta : 0)
+  );
+}
+
+/// CSS pixels in one unit of a wheel event's delta: pixels, lines or pages.
+export function wheelUnit(deltaMode: number, pageHeight: number): number {
+  return deltaMode === 1 ? 16 : deltaMode === 2 ? pageHeight : 1;
+}
+
+function deviceOf(pointerType: string): Device {
+  return pointerType === 'touch' ? Device.touch : pointerType === 'pen' ? Device.pen : Device.mouse;
+}

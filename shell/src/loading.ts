@@ -1,0 +1,77 @@
+import wasmUrl from '@module/knotwork.wasm?url';
+import regularUrl from '../generated/stage-400.ttf?url';
+import semiboldUrl from '../generated/stage-600.ttf?url';
+import type { EmscriptenModule } from './bridge';
+import { countBytes } from './progress';
+
+/// Why there is no module: the reader's browser, or the way to it.
+export class LoadError extends Error {
+  constructor(
+    readonly reason: 'unsupported' | 'download' | 'script',
+    options?: ErrorOptions,
+  ) {
+    super(reason, options);
+  }
+}
+
+/// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come.
+export async function loadModule(canvas: HTMLCanvasElement, onShare: (share: number) => void): Promise<EmscriptenModule> {
+  if (typeof WebAssembly !== 'object') throw new LoadError('unsupported');
+  const [{ default: create }, compiled] = await Promise.all([fetchScript(), compile(onShare)]);
+  return new Promise((resolve, reject) => {
+    create({
+      canvas,
+      instantiateWasm: (imports, done) => {
+        WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled), reject);
+        return {};
+      },
+      print: (text) => console.log(text),
+      printErr: (text) => console.warn(text),
+      onAbort: reject,
+    }).then(resolve, reject);
+  });
+}
+
+/// The two typefaces of the stage; it can do without them.
+export async function loadStageFonts(): Promise<[regular: Uint8Array, semibold: Uint8Array] | null> {
+  const [regular, semibold] = await Promise.all([
+    fetchBytes(regularUrl),
+    fetchBytes(semiboldUrl),
+  ]);
+  return regular && semibold ? [regular, semibold] : null;
+}
+
+async function fetchScript(): Promise<typeof import('@module/knotwork.js')> {
+  try {
+    return await import('@module/knotwork.js');
+  } catch (cause) {
+    throw new LoadError('script', { cause });
+  }
+}
+
+async function compile(onShare: (share: number) => void): Promise<WebAssembly.Module> {
+  let response: Response;
+  try {
+    response = await fetch(wasmUrl, { credentials: 'same-origin' });
+  } catch (cause) {
+    throw new LoadError('download', { cause });
+  }
+  if (!response.ok || !response.body) throw new LoadError('download', { cause: response.status });
+  const counted = countBytes(response.body, (bytes) => onShare(Math.min(1, bytes / __WASM_BYTES__)));
+  try {
+    return await WebAssembly.compileStreaming(
+      new Response(counted, { headers: { 'Content-Type': 'application/wasm' } }),
+    );
+  } catch (cause) {
+    throw new LoadError('download', { cause });
+  }
+}
+
+async function fetchBytes(url: string): Promise<Uint8Array | null> {
+  try {
+    const response = await fetch(url);
+    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,129 @@
+import { fulfilled, parseAction, run, type Action } from './actions';
+import type { Bridge } from './bridge';
+import { element, makeControl, type Control } from './controls';
+import { HistoryControls } from './history';
+import type { Parameter } from './knotwork';
+import { PatchList } from './patches';
+import { ReportTable } from './report';
+
+/// Everything beside the stage that shows the module's state or changes it.
+export class Page {
+  private readonly controls: Control[] = [];
+  private readonly phrases: [HTMLButtonElement, Action][] = [];
+  private readonly tables: ReportTable[] = [];
+  private readonly patchLists: PatchList[] = [];
+  private readonly history: HistoryControls;
+  private readonly notice = document.getElementById('notice')!;
+  private readonly bridge: Bridge;
+  private readonly requestFrame: () => void;
+  private revision = -1;
+  private lastNotice = '';
+  private lastUpdate = 0;
+  private late = 0;
+
+  constructor(bridge: Bridge, requestFrame: () => void, canvas: HTMLCanvasElement) {
+    this.bridge = bridge;
+    this.requestFrame = requestFrame;
+    const set = (id: string, value: number | string | boolean): void => this.attempt(() => bridge.set(id, value));
+
+    const rows = new Map(bridge.parameters().map((row) => [row.id, row]));
+    this.makeSettings(rows);
+    for (const place of document.querySelectorAll<HTMLElement>('[data-parameter]')) {
+      const row = rows.get(place.dataset['parameter']!);
+      if (row) this.controls.push(makeControl(place, row, set));
+      else place.remove();
+    }
+    for (const phrase of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
+      const action = parseAction(phrase.dataset['run']!);
+      phrase.addEventListener('click', () => this.attempt(() => run(action, bridge)));
+      phrase.disabled = false;
+      this.phrases.push([phrase, action]);
+    }
+    for (const place of document.querySelectorAll<HTMLElement>('[data-report]')) {
+      const setBoth = (u: string, v: string): void =>
+        this.attempt(() => {
+          bridge.set('topology.u', u);
+          bridge.set('topology.v', v);
+        });
+      this.tables.push(new ReportTable(place, setBoth));
+    }
+    for (const place of document.querySelectorAll<HTMLElement>('[data-patches]')) {
+      const choose = (id: string): void => this.attempt(() => bridge.select(id));
+      this.patchLists.push(new PatchList(place, choose, () => canvas.focus({ preventScroll: true })));
+    }
+    this.history = new HistoryControls(
+      () => this.attempt(() => bridge.undo()),
+      () => this.attempt(() => bridge.redo()),
+    );
+    this.update();
+  }
+
+  /// After a frame or a command: shows what has changed. While frames follow each other, ten times a second at most.
+  sync(now: number): void {
+    if (this.bridge.revision() === this.revision) return;
+    clearTimeout(this.late);
+    if (now - this.lastUpdate >= 100) {
+      this.lastUpdate = now;
+      this.update();
+    } else {
+      this.late = window.setTimeout(() => this.sync(performance.now()), 100);
+    }
+  }
+
+  /// Shows the module's state at once.
+  update(): void {
+    this.revision = this.bridge.revision();
+    const state = this.bridge.state();
+    const rows = new Map(this.bridge.parameters().map((row) => [row.id, row]));
+    for (const control of this.controls) {
+      const row = rows.get(control.id);
+      if (row) control.update(row);
+    }
+    for (const [phrase, action] of this.phrases) phrase.classList.toggle('done', fulfilled(action, rows));
+    for (const table of this.tables) table.update(state);
+    if (this.patchLists.length > 0) {
+      const handles = this.bridge.handles();
+      for (const list of this.patchLists) list.update(handles, state.selected);
+    }
+    this.history.update(state);
+    if (state.notice !== this.lastNotice) this.announce(state.notice);
+    this.lastNotice = state.notice;
+  }
+
+  private announce(text: string): void {
+    this.notice.textContent = text;
+  }
+
+  /// Runs a command; a refusal is said, and the controls go back to what is true.
+  private attempt(command: () => void): void {
+    try {
+      command();
+    } catch (error) {
+      this.announce(error instanceof Error ? error.message : String(error));
+    }
+    this.update();
+    this.requestFrame();
+  }
+
+  /// Rows that no chapter shows, folded by group at the foot of the page.
+  private makeSettings(rows: ReadonlyMap<string, Parameter>): void {
+    const place = document.querySelector<HTMLElement>('[data-settings]');
+    if (!place) return;
+    const shown = new Set([...document.querySelectorAll<HTMLElement>('[data-parameter]')].map((e) => e.dataset['parameter']));
+    const groups = new Map<string, HTMLElement>();
+    for (const row of rows.values()) {
+      if (shown.has(row.id)) continue;
+      let group = groups.get(row.group);
+      if (!group) {
+        const details = element('details', '');
+        group = element('div', 'controls');
+        details.append(element('summary', '', row.group), group);
+        place.append(details);
+        groups.set(row.group, group);
+      }
+      const control = element('div', 'control');
+      control.dataset['parameter'] = row.id;
+      group.append(control);
+    }
+  }
+}

@@ -1,0 +1,34 @@
+import { element } from './controls';
+import type { Handle } from './knotwork';
+
+/// Stands in for the handles on the stage: a list to choose one from, by keyboard and for screen readers. Moving the
+/// chosen one is done with the arrow keys on the stage, which gets the focus from the button.
+export class PatchList {
+  private readonly select = element('select', '');
+  private listed = '';
+
+  constructor(place: HTMLElement, choose: (id: string) => void, goToStage: () => void) {
+    this.select.id = 'patch';
+    const label = element('label', 'label', 'Selected patch');
+    label.htmlFor = this.select.id;
+    this.select.addEventListener('change', () => choose(this.select.value));
+    const frame = element('div', 'choose');
+    frame.append(this.select);
+    const button = element('button', 'act', 'move it with the keys');
+    button.type = 'button';
+    button.addEventListener('click', goToStage);
+    place.replaceChildren(label, frame, button);
+  }
+
+  update(handles: readonly Handle[], selected: string): void {
+    const key = handles.map((handle) => handle.id).join();
+    if (key !== this.listed) {
+      this.listed = key;
+      this.select.replaceChildren(
+        new Option('none', ''),
+        ...handles.map((handle) => new Option(handle.label, handle.id)),
+      );
+    }
+    if (this.select.value !== selected) this.select.value = selected;
+  }
+}

@@ -1,0 +1,107 @@
+import type { Direction, State } from './bridge';
+
+/// The report's table: what opening and closing makes of the counts. The row of the present topology is the module's
+/// own; the others follow from its numbers of local surfaces (THEORY 2.8).
+
+type Topology = 'open' | 'closed';
+
+export interface Row {
+  u: Direction;
+  v: Direction;
+  shape: 'plane' | 'cylinder' | 'torus';
+  current: boolean;
+}
+
+export function direction(letter: 'u' | 'v', topology: Topology, locals: number): Direction {
+  const closed = topology === 'closed';
+  const last = subscript(closed ? locals + 1 : locals);
+  return {
+    topology,
+    domain: `[${letter}₁, ${letter}${last}${closed ? ')' : ']'}`,
+    knots: locals + (closed ? 3 : 2),
+    patches: closed ? locals : locals - 1,
+    locals,
+  };
+}
+
+export function rows(state: Pick<State, 'u' | 'v'>): Row[] {
+  const pairs: [Topology, Topology][] = [['open', 'open'], ['open', 'closed'], ['closed', 'open'], ['closed', 'closed']];
+  return pairs.map(([u, v]) => {
+    const current = state.u.topology === u && state.v.topology === v;
+    const closed = Number(u === 'closed') + Number(v === 'closed');
+    return {
+      u: current ? state.u : direction('u', u, state.u.locals),
+      v: current ? state.v : direction('v', v, state.v.locals),
+      shape: (['plane', 'cylinder', 'torus'] as const)[closed]!,
+      current,
+    };
+  });
+}
+
+export function subscript(number: number): string {
+  return String(number).replace(/\d/g, (digit) => String.fromCharCode(0x2080 + Number(digit)));
+}
+
+/// Fills `place` with the table once, and again with new numbers; phrases in it set both topologies.
+export class ReportTable {
+  private readonly cells: HTMLElement[][] = [];
+  private readonly rowElements: HTMLTableRowElement[] = [];
+  private readonly shapes: HTMLElement[] = [];
+
+  constructor(place: HTMLElement, setTopologies: (u: Topology, v: Topology) => void) {
+    const table = document.createElement('table');
+    table.innerHTML =
+      '<caption class="hidden">What opening and closing does to the counts</caption><thead><tr>' +
+      '<th scope="col">u, v</th><th scope="col">domain</th><th scope="col">knots</th>' +
+      '<th scope="col">patches</th><th scope="col">local patches</th><th scope="col">shape</th></tr></thead>';
+    const body = table.createTBody();
+    for (let i = 0; i < 4; ++i) {
+      const row = body.insertRow();
+      this.rowElements.push(row);
+      const heading = document.createElement('th');
+      heading.scope = 'row';
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.className = 'act';
+      const u: Topology = i < 2 ? 'open' : 'closed';
+      const v: Topology = i % 2 === 0 ? 'open' : 'closed';
+      button.textContent = `${u}, ${v}`;
+      button.addEventListener('click', () => setTopologies(u, v));
+      heading.append(button);
+      row.append(heading);
+      this.cells.push(Array.from({ length: 4 }, () => pairCell(row)));
+      this.shapes.push(row.insertCell());
+    }
+    place.replaceChildren(table);
+  }
+
+  update(state: State): void {
+    rows(state).forEach((row, i) => {
+      const element = this.rowElements[i]!;
+      if (row.current) element.setAttribute('aria-current', 'true');
+      else element.removeAttribute('aria-current');
+      const [domain, knots, patches, locals] = this.cells[i]!;
+      fill(domain!, row.u.domain, row.v.domain);
+      fill(knots!, row.u.knots, row.v.knots);
+      fill(patches!, row.u.patches, row.v.patches);
+      fill(locals!, row.u.locals, row.v.locals);
+      const shape = row.current ? state.shape : row.shape;
+      if (this.shapes[i]!.textContent !== shape) this.shapes[i]!.textContent = shape;
+    });
+  }
+}
+
+/// "a × b", which breaks before the cross where the column is narrow.
+function pairCell(row: HTMLTableRowElement): HTMLElement {
+  const cell = row.insertCell();
+  cell.className = 'pair';
+  cell.innerHTML = '<span></span> <span></span>';
+  return cell;
+}
+
+function fill(cell: HTMLElement, u: string | number, v: string | number): void {
+  const [first, second] = cell.querySelectorAll('span');
+  const [a, b] = [`${u}`, `×\u00a0${v}`];
+  if (first!.textContent !== a) first!.textContent = a;
+  if (second!.textContent !== b) second!.textContent = b;
+}
