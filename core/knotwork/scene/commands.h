@@ -38,5 +38,8 @@ Status apply(Document& document, const Command& command);
 bool in_history(const Command& command);
 /// A few words for a reader: "Close u", "Move patch 2, 1".
 std::string describe(const Command& command);
+/// What the command changes beside what it names, as a sentence for the reader; empty when nothing. To be asked before
+/// the command is applied.
+std::string notice(const Document& document, const Command& command);
 
 }  // namespace knotwork::scene

@@ -18,8 +18,11 @@ enum class MotionStep : unsigned char { seed_code, parent_axes, report_text };
 /// The frame of an even (odd: sign -1) local after `frames` steps of dt, starting at the identity.
 Eigen::Isometry3d stepped_motion(MotionStep step, int frames, double dt, int local);
 
-/// What the animation adds to patch (i, j) at its clock: in the patch's own frame for `breathe`, in model axes for
-/// `report`; the sign alternates with i + j. Identity when amplitude, shares and time say so.
+/// What the animation adds to patch (i, j) at its clock, with period clock_period; the identity at time 0 and wherever
+/// amplitude and shares say so. The displacement's sign alternates with i + j.
+/// `breathe`, in the patch's own frame: along the normal by amplitude * translation * sin t, and a tilt about the own
+/// x axis by at most 0.45 rad. `report`, in model axes: report_displacement_parent, and the turn about the x axis, its
+/// share rounded to 0, 1 or 2 whole turns a period (the report's angle 2t is 2): others would jump as the clock wraps.
 struct PatchMotion {
   Eigen::Vector3d own_translation = Eigen::Vector3d::Zero(), model_translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond own_rotation = Eigen::Quaterniond::Identity(), model_rotation = Eigen::Quaterniond::Identity();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,15 +25,17 @@ struct Parameter {
   std::string_view label;  ///< as `u`
   std::string_view group;  ///< as `Topology`
   ParameterKind kind;
-  double min = 0, max = 0, step = 0;  ///< of number and integer
+  double min = 0, max = 0, step = 0;  ///< of number and integer; range_of() says what holds at the moment
+  double soft_max = 0;                ///< where a slider had better end; max itself can still be typed
   std::string_view unit;
   std::vector<Choice> choices;
   bool in_history = true;  ///< false for the clock: playing and seeking are not undone
-  ParameterValue (*get)(const Document&);
-  /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure).
-  Status (*set)(Document&, const ParameterValue&);
+  ParameterValue (*get)(const Document&) = nullptr;
+  /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure). The error's path is empty:
+  /// apply() fills in the id.
+  Status (*set)(Document&, const ParameterValue&) = nullptr;
   /// Why this row cannot be changed now, empty when it can (e.g. m of a B-function without parameter).
-  std::string (*disabled)(const Document&);
+  std::string (*disabled)(const Document&) = nullptr;
 };
 
 std::span<const Parameter> parameters();
@@ -43,6 +44,12 @@ const Parameter* find_parameter(std::string_view id);
 
 /// Why the choice cannot be taken now ("The plane is not closed in u, ..."), empty when it can.
 std::string refused_choice(const Document& document, const Parameter& parameter, std::string_view choice);
+
+/// What else setting the parameter changes ("The plane is not closed in u, so u opens."), empty when nothing.
+std::string side_effect(const Document& document, const Parameter& parameter, const ParameterValue& value);
+
+/// The limits of a number now: those of blending.parameter are the B-function's.
+Limits range_of(const Document& document, const Parameter& parameter);
 
 /// The ids: topology.u topology.v (choice open|closed) · model (choice sheet|plane|cylinder|torus) · locals.u locals.v
 /// · blending.function (choice, ids of blending_families()) · blending.parameter · samples.u samples.v ·

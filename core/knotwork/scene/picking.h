@@ -1,17 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "knotwork/surface/blending_surface.h"
 
 namespace knotwork::scene {
 
 struct Ray {
-  Eigen::Vector3d origin, direction;  ///< direction of any length
+  Eigen::Vector3d origin, direction;  ///< direction of any length but 0
 };
 
 struct SurfaceHit {
-  double u, v;
+  double u, v;      ///< in the domain
   double distance;  ///< along the unit direction, model units
   SurfaceJet jet;
 };
@@ -22,16 +23,28 @@ class PickNet {
  public:
   explicit PickNet(const BlendingSurface& surface);
   /// The nearest point of the surface on the ray (from the net, polished by Newton's method on the true surface to
-  /// 1e-10 of its size), if the ray meets it in front of its origin.
+  /// 1e-10 of its size), if the ray meets it in front of its origin. Both sides of the surface count. What bulges out
+  /// of the net by less than its sagitta can be missed where the ray only grazes it.
   std::optional<SurfaceHit> pick(const BlendingSurface& surface, const Ray& ray) const;
 
   Eigen::Vector3d centre() const { return centre_; }
   double radius() const { return radius_; }  ///< of a ball round centre() that holds the net
 
  private:
-  int columns_ = 0, rows_ = 0;
-  std::vector<double> u_, v_;
+  /// A ball round a block of the net's cells, so that a ray is tried against few triangles.
+  struct Block {
+    int first_column, last_column, first_row, last_row;  ///< vertices, last included
+    Eigen::Vector3d centre;
+    double radius;
+  };
+
+  const Eigen::Vector3d& point(int column, int row) const {
+    return points_[static_cast<std::size_t>(column) * v_.size() + static_cast<std::size_t>(row)];
+  }
+
+  std::vector<double> u_, v_;  ///< a closed direction ends with its end, where the points of its start are again
   std::vector<Eigen::Vector3d> points_;
+  std::vector<Block> blocks_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double radius_ = 0;
 };

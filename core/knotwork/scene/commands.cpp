@@ -1,0 +1,127 @@
+#include "knotwork/scene/commands.h"
+
+#include <cmath>
+
+#include "knotwork/scene/messages.h"
+
+namespace knotwork::scene {
+
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+Status perform(Document& document, const SetParameter& command) {
+  const Parameter* parameter = find_parameter(command.id);
+  if (parameter == nullptr) return Error{command.id, "There is no parameter of this name."};
+  const Status status = parameter->set(document, command.value);
+  return status ? success() : Status(Error{command.id, status.error().message});
+}
+
+Status perform(Document& document, const SetPatchEdit& command) {
+  BlendingSurfaceObject& object = blending_surface(document);
+  const auto [i, j] = command.patch;
+  if (i < 0 || i >= object.locals_u || j < 0 || j >= object.locals_v) {
+    return Error{"patch", "There is no patch " + std::to_string(i) + ", " + std::to_string(j) + "."};
+  }
+  if (Status status = check(command.edit); !status) return status;
+  if (command.edit.is_identity()) {
+    object.edits.erase(command.patch);
+  } else {
+    object.edits[command.patch] = command.edit;
+  }
+  return success();
+}
+
+Status perform(Document& document, const ResetPatches&) {
+  blending_surface(document).edits.clear();
+  return success();
+}
+
+Status perform(Document& document, const SetCamera& command) {
+  if (const Status status = check(command.camera); !status) {
+    return Error{"camera." + status.error().path, status.error().message};
+  }
+  document.camera = command.camera;
+  return success();
+}
+
+Status perform(Document& document, const LoadDocument& command) {
+  if (Status status = check(command.document); !status) return status;
+  document = command.document;
+  return success();
+}
+
+Status perform(Document& document, const AdvanceClock& command) {
+  if (!(command.seconds >= 0) || !std::isfinite(command.seconds)) {
+    return Error{"seconds", "Must be a number that is not negative."};
+  }
+  Animation& animation = document.animation;
+  if (animation.playing) animation.time = std::fmod(animation.time + command.seconds * animation.speed, clock_period);
+  return success();
+}
+
+std::string describe_value(const Parameter& parameter, const ParameterValue& value) {
+  return std::visit(
+      Overloaded{[](double x) { return number_text(x); },
+                 [](bool on) { return std::string(on ? "on" : "off"); },
+                 [&](const std::string& id) {
+                   for (const Choice& choice : parameter.choices) {
+                     if (choice.id == id) return choice.label;
+                   }
+                   return id;
+                 }},
+      value);
+}
+
+std::string describe(const SetParameter& command) {
+  const Parameter* parameter = find_parameter(command.id);
+  if (parameter == nullptr) return "Set " + command.id;
+  const std::string label(parameter->label), value = describe_value(*parameter, command.value);
+  if (parameter->group == "Topology") {
+    if (parameter->id == "model") return "Change the model to " + value;
+    return (value == "closed" ? "Close " : "Open ") + label;
+  }
+  if (const bool* on = std::get_if<bool>(&command.value)) return (*on ? "Show " : "Hide ") + label;
+  return "Set " + label + " to " + value;
+}
+
+std::string describe(const SetPatchEdit& command) {
+  const std::string patch = "patch " + std::to_string(command.patch.first) + ", " + std::to_string(command.patch.second);
+  return (command.edit.is_identity() ? "Reset " : "Move ") + patch;
+}
+
+std::string describe(const ResetPatches&) { return "Reset all patches"; }
+std::string describe(const SetCamera&) { return "Move the camera"; }
+std::string describe(const LoadDocument&) { return "Load a document"; }
+std::string describe(const AdvanceClock&) { return "Advance the clock"; }
+
+}  // namespace
+
+Status apply(Document& document, const Command& command) {
+  return std::visit([&](const auto& alternative) { return perform(document, alternative); }, command);
+}
+
+bool in_history(const Command& command) {
+  if (const SetParameter* set = std::get_if<SetParameter>(&command)) {
+    const Parameter* parameter = find_parameter(set->id);
+    return parameter != nullptr && parameter->in_history;
+  }
+  return !std::holds_alternative<SetCamera>(command) && !std::holds_alternative<AdvanceClock>(command);
+}
+
+std::string describe(const Command& command) {
+  return std::visit([](const auto& alternative) { return describe(alternative); }, command);
+}
+
+std::string notice(const Document& document, const Command& command) {
+  const SetParameter* set = std::get_if<SetParameter>(&command);
+  const Parameter* parameter = set == nullptr ? nullptr : find_parameter(set->id);
+  return parameter == nullptr ? std::string() : side_effect(document, *parameter, set->value);
+}
+
+}  // namespace knotwork::scene

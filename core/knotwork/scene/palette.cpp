@@ -1,0 +1,56 @@
+#include "knotwork/scene/palette.h"
+
+#include <cstdint>
+
+namespace knotwork::scene {
+
+namespace {
+
+/// The first four are the page's --local-a to --local-d.
+constexpr std::array<std::uint32_t, patch_hue_count> light{0x2f7fb8, 0xe08a1e, 0x3f9a6b, 0xb65a9c,
+                                                           0x4b4a9e, 0xd9c24a, 0xc9523a, 0x6fc4c0};
+constexpr std::array<std::uint32_t, patch_hue_count> dark{0x5aa9e0, 0xf2aa4b, 0x66c092, 0xd98bc3,
+                                                          0x7f7fd6, 0xf0e07c, 0xe0664f, 0x9fe6e0};
+
+constexpr int positive_modulus(int a, int m) { return ((a % m) + m) % m; }
+
+/// Offsets along the two directions of the grid, modulo 8. Neighbours differ because a step of the one is +-1 or +-2,
+/// a step of the other 3, 4 or 5, and none of these, nor a sum or difference of the two, is 0 modulo 8. Over a whole
+/// closed direction the steps add up to a multiple of 8, so the seam is a step like the others.
+int near_offset(int index, int count) {
+  const int k = positive_modulus(index, count);
+  if (count == 2) return k;  // 0 1
+  if (count == 3) return k;  // 0 1 2, and 6 = -2 back over the seam
+  // Steps of 1, as many of them 2 as it takes to the next multiple of 8, evenly spread.
+  const int total = (count + 7) / 8 * 8;
+  return k * total / count % patch_hue_count;
+}
+
+int far_offset(int index, int count) {
+  const int k = positive_modulus(index, count);
+  if (count == 3) return 3 * k;  // 0 3 6: no seam possible, used only where there is none
+  // Steps of 4; an odd count needs four of 5 to come to a multiple of 8.
+  const int total = count % 2 == 0 ? 4 * count : 4 * count + 4;
+  return k * total / count % patch_hue_count;
+}
+
+}  // namespace
+
+Colour patch_hue(int hue, bool dark_scheme) {
+  const auto index = static_cast<std::size_t>(positive_modulus(hue, patch_hue_count));
+  const std::uint32_t rgb = dark_scheme ? dark[index] : light[index];
+  const auto channel = [&](unsigned shift) { return static_cast<float>((rgb >> shift) & 0xffu) / 255.0f; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+int patch_hue_index(const BlendingSurfaceObject& object, PatchIndex patch) {
+  const auto [i, j] = patch;
+  const int n_u = object.locals_u, n_v = object.locals_v;
+  // Only the small steps close a ring of three.
+  const bool v_near = n_v == 3 && (n_u != 3 || (object.topology_v == Topology::closed &&
+                                                object.topology_u == Topology::open));
+  const int offset = v_near ? far_offset(i, n_u) + near_offset(j, n_v) : near_offset(i, n_u) + far_offset(j, n_v);
+  return offset % patch_hue_count;
+}
+
+}  // namespace knotwork::scene

@@ -1,0 +1,182 @@
+#include "knotwork/scene/surface_builder.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "knotwork/scene/motion.h"
+#include "knotwork/surface/surface_measures.h"
+
+namespace knotwork::scene {
+
+namespace {
+
+/// Below this share of the way a rolling direction counts as open: the last interval would be too narrow for its knots.
+constexpr double smallest_roll = 1e-6;
+
+/// One direction on the way between its topologies.
+struct Direction {
+  Topology topology;  ///< of the knots: closed only when the roll is complete
+  int count;          ///< n, the ghost not counted
+  bool ghost;
+  double roll;
+
+  int rows() const { return count + (ghost ? 1 : 0); }
+};
+
+Direction direction(int count, double roll) {
+  if (roll >= 1) return {Topology::closed, count, false, 1};
+  if (roll < smallest_roll) return {Topology::open, count, false, 0};
+  return {Topology::open, count, true, roll};
+}
+
+/// Centres every h from the start, and with a ghost one more at the end, roll * h after the last.
+KnotVector knots(const Direction& d, const Interval& range) {
+  if (!d.ghost) return KnotVector::uniform(1, d.count, d.topology, range.start, range.end).value();
+  const double h = (range.end - range.start) / (d.count - 1 + d.roll);
+  std::vector<double> knots{range.start};
+  for (int k = 0; k < d.count; ++k) knots.push_back(range.start + k * h);
+  knots.push_back(range.end);
+  knots.push_back(range.end);
+  return KnotVector::make(1, Topology::open, std::move(knots)).value();
+}
+
+ModelSurface rolled(const ModelSurface& model, const Direction& u, const Direction& v) {
+  ModelSurface result = model;
+  if (Sheet* sheet = std::get_if<Sheet>(&result)) {
+    sheet->bend_u = u.roll;
+    sheet->bend_v = v.roll;
+  }
+  return result;
+}
+
+/// What moves a patch away from where the model has it: a reader's edit and the animation.
+struct Pose {
+  PatchEdit edit;
+  PatchMotion motion;
+};
+
+Pose pose(const BlendingSurfaceObject& object, const Animation& animation, PatchIndex patch) {
+  const auto found = object.edits.find(patch);
+  return {found == object.edits.end() ? PatchEdit{} : found->second, patch_motion(animation, patch)};
+}
+
+Eigen::Vector3d mixed(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double share) {
+  return (1 - share) * a + share * b;
+}
+
+Pose mixed(const Pose& a, const Pose& b, double share) {
+  Pose result;
+  result.edit.translation = mixed(a.edit.translation, b.edit.translation, share);
+  result.edit.rotation = a.edit.rotation.slerp(share, b.edit.rotation);
+  result.edit.scale = mixed(a.edit.scale, b.edit.scale, share);
+  result.motion.own_translation = mixed(a.motion.own_translation, b.motion.own_translation, share);
+  result.motion.model_translation = mixed(a.motion.model_translation, b.motion.model_translation, share);
+  result.motion.own_rotation = a.motion.own_rotation.slerp(share, b.motion.own_rotation);
+  result.motion.model_rotation = a.motion.model_rotation.slerp(share, b.motion.model_rotation);
+  return result;
+}
+
+/// The frame of THEORY's sub-surface patch at a point of the model; x is any tangent where S_u vanishes.
+Eigen::Matrix3d frame(const SurfaceJet& jet) {
+  const Eigen::Vector3d normal = unit_normal(jet);
+  Eigen::Vector3d x = jet.su - normal.dot(jet.su) * normal;
+  if (x.norm() <= 1e-12 * (jet.su.norm() + jet.sv.norm())) x = normal.unitOrthogonal();
+  x.normalize();
+  Eigen::Matrix3d result;
+  result << x, normal.cross(x), normal;
+  return result;
+}
+
+/// M_ij. Unmoved it is a translation exactly, so that an unmoved surface is the model itself.
+Eigen::Affine3d local_map(const SurfaceJet& centre, const Pose& pose) {
+  const PatchEdit& edit = pose.edit;
+  const PatchMotion& motion = pose.motion;
+  const Eigen::Quaterniond identity = Eigen::Quaterniond::Identity();
+  const auto is_identity = [&](const Eigen::Quaterniond& q) { return q.coeffs() == identity.coeffs(); };
+
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.translation() = centre.s + motion.model_translation;
+  const Eigen::Vector3d own = edit.translation + motion.own_translation;
+  const bool turned = !is_identity(edit.rotation) || !is_identity(motion.own_rotation);
+  const bool scaled = edit.scale != Eigen::Vector3d::Ones();
+  if (own != Eigen::Vector3d::Zero() || turned || scaled) {
+    const Eigen::Matrix3d f = frame(centre);
+    map.translation() += f * own;
+    if (turned || scaled) {
+      const Eigen::Matrix3d turn = (edit.rotation.normalized() * motion.own_rotation).toRotationMatrix();
+      map.linear() = f * turn * edit.scale.asDiagonal() * f.transpose();
+    }
+  }
+  if (!is_identity(motion.model_rotation)) map.linear() = map.linear() * motion.model_rotation.toRotationMatrix();
+  return map;
+}
+
+DirectionSummary summary(const KnotVector& knots) {
+  const int first = knots.degree(), last = knots.last_span() + 1;
+  return {knots.topology(),
+          knots.start(),
+          knots.end(),
+          first,
+          last,
+          {knots.knots().begin(), knots.knots().end()},
+          knots.interval_count(),
+          knots.count()};
+}
+
+SurfaceJet centre_jet(const BlendingSurface& surface, PatchIndex patch) {
+  const Eigen::Vector2d centre = surface.centre(patch.first, patch.second);
+  return evaluate(surface.model(), centre.x(), centre.y());
+}
+
+}  // namespace
+
+Roll rest_roll(const BlendingSurfaceObject& object) {
+  return {object.topology_u == Topology::closed ? 1.0 : 0.0, object.topology_v == Topology::closed ? 1.0 : 0.0};
+}
+
+BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animation& animation) {
+  return build_surface(object, animation, rest_roll(object));
+}
+
+BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animation& animation, Roll roll) {
+  const Direction u = direction(object.locals_u, roll.u), v = direction(object.locals_v, roll.v);
+  const ModelSurface model = rolled(object.model, u, v);
+  const SurfaceDomain where = domain(model);
+  const KnotVector knots_u = knots(u, where.u), knots_v = knots(v, where.v);
+  const int parameter = blending_family(object.blending).parameter_max > 0 ? object.blending_parameter : 0;
+  Result<BlendingSurface> surface =
+      BlendingSurface::make(model, knots_u, knots_v, BlendingFunction::make(object.blending, parameter).value(),
+                            BlendingSurface::unmoved_locals(model, knots_u, knots_v));
+  update_locals(surface.value(), object, animation, roll);
+  return std::move(surface).value();
+}
+
+void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation,
+                   Roll roll) {
+  const Direction u = direction(object.locals_u, roll.u), v = direction(object.locals_v, roll.v);
+  assert(surface.knots_u().count() == u.rows() && surface.knots_v().count() == v.rows());
+
+  const auto pose_in_row = [&](int i, int j) {
+    if (j < v.count) return pose(object, animation, {i, j});
+    return mixed(pose(object, animation, {i, v.count - 1}), pose(object, animation, {i, 0}), v.roll);
+  };
+  for (int i = 0; i < u.rows(); ++i) {
+    for (int j = 0; j < v.rows(); ++j) {
+      const Pose here = i < u.count ? pose_in_row(i, j) : mixed(pose_in_row(u.count - 1, j), pose_in_row(0, j), u.roll);
+      surface.set_local(i, j, local_map(centre_jet(surface, {i, j}), here));
+    }
+  }
+}
+
+Eigen::Matrix3d patch_frame(const BlendingSurface& surface, PatchIndex patch) {
+  return frame(centre_jet(surface, patch));
+}
+
+Eigen::Vector3d patch_origin(const BlendingSurface& surface, PatchIndex patch) {
+  return surface.local(patch.first, patch.second).translation();
+}
+
+DirectionSummary summary_u(const BlendingSurface& surface) { return summary(surface.knots_u()); }
+DirectionSummary summary_v(const BlendingSurface& surface) { return summary(surface.knots_v()); }
+
+}  // namespace knotwork::scene

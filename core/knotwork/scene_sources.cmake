@@ -1,0 +1,33 @@
+# Paths relative to core/. Explicit on purpose: a file that is not named here is not built.
+set(KNOTWORK_SCENE_SOURCES
+  knotwork/scene/chapters.cpp
+  knotwork/scene/commands.cpp
+  knotwork/scene/document.cpp
+  knotwork/scene/document_check.cpp
+  knotwork/scene/document_json.cpp
+  knotwork/scene/history.cpp
+  knotwork/scene/messages.cpp
+  knotwork/scene/motion.cpp
+  knotwork/scene/palette.cpp
+  knotwork/scene/parameters.cpp
+  knotwork/scene/picking.cpp
+  knotwork/scene/surface_builder.cpp
+)
+set(KNOTWORK_SCENE_HEADERS
+  knotwork/scene/chapters.h
+  knotwork/scene/commands.h
+  knotwork/scene/document.h
+  knotwork/scene/document_json.h
+  knotwork/scene/history.h
+  knotwork/scene/limits.h
+  knotwork/scene/motion.h
+  knotwork/scene/palette.h
+  knotwork/scene/parameters.h
+  knotwork/scene/picking.h
+  knotwork/scene/surface_builder.h
+)
+# Used by the sources above and by the schema's test only.
+set(KNOTWORK_SCENE_PRIVATE_HEADERS
+  knotwork/scene/document_members.h
+  knotwork/scene/messages.h
+)
