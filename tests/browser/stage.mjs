@@ -55,6 +55,46 @@ export async function frameDrawn(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 }
 
+/// What every animation frame shows from before `act` until, after a first change, nothing has changed for a while:
+/// [{at (ms), frames, camera, clock, handles (positions)}].
+export async function record(page, act) {
+  const recording = page.evaluate(
+    () =>
+      new Promise((resolve, reject) => {
+        const rows = [];
+        const end = performance.now() + 10000;
+        let last = '';
+        let changes = 0;
+        let quiet = 0;
+        const look = () => {
+          const { camera, animation } = window.knotwork.document();
+          const handles = window.knotwork.handles().map((handle) => handle.position);
+          const now = JSON.stringify([camera, handles]);
+          const same = now === last;
+          quiet = same ? quiet + 1 : 0;
+          changes += same ? 0 : 1;
+          last = now;
+          rows.push({ at: performance.now(), frames: window.knotwork.stats().frames, camera, clock: animation.time, handles });
+          if (changes > 1 && quiet > 12) resolve(rows);
+          else if (performance.now() > end) reject(new Error(`${changes} changes in ten seconds`));
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+  await act();
+  return recording;
+}
+
+/// How many different values a recording has of something, and for how long it was changing.
+export function course(recording, read) {
+  const values = recording.map((row) => JSON.stringify(read(row)));
+  const changes = values.map((value, k) => k > 0 && value !== values[k - 1]);
+  const first = changes.indexOf(true);
+  const last = changes.lastIndexOf(true);
+  return { stages: changes.filter(Boolean).length, ms: first < 0 ? 0 : recording[last].at - recording[first - 1].at };
+}
+
 export async function until(page, condition, argument) {
   await page.waitForFunction(condition, argument, { timeout: 10000 });
 }

@@ -1,0 +1,341 @@
+// The page around the stage: where it runs, what it says when it cannot, how it looks and who can read it.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import { launch, openPage, pageTest, plainHost, siteAddress } from './site.mjs';
+import {
+  call, difference, distance, distinctColours, documentOf, drag, frontHandle, handlesOf, luminance, picture, pixel, plus,
+  settled, stageRect, statsOf, until,
+} from './stage.mjs';
+
+const axeSource = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+pageTest('the page loads without a complaint and shows its figure', {}, async (page) => {
+  assert.match(await page.title(), /Knotwork/);
+  assert.equal(await page.getByRole('alert').isVisible(), false);
+  assert.equal(await page.getByRole('progressbar').isVisible(), false);
+  assert.ok((await statsOf(page)).frames > 0);
+  assert.ok((await page.getByRole('main').innerText()).length > 2000);
+});
+
+pageTest('the pixels are a surface before a calm background', { size: [1200, 800] }, async (page) => {
+  await settled(page);
+  const stage = await stageRect(page);
+  const seen = await picture(page);
+  const on = (await handlesOf(page)).map(({ screen: [x, y] }) => [x - stage.x, y - stage.y]);
+  const [xs, ys] = [on.map(([x]) => x), on.map(([, y]) => y)];
+  const box = { x: Math.min(...xs), y: Math.min(...ys), w: Math.max(...xs) - Math.min(...xs), h: Math.max(...ys) - Math.min(...ys) };
+  assert.ok(box.w > 150 && box.h > 80, 'the surface is small');
+  assert.ok(distinctColours(seen, box) > 3000, `${distinctColours(seen, box)} colours where the surface is`);
+  const corner = { x: 4, y: stage.height - 34, w: 30, h: 30 };
+  assert.ok(distinctColours(seen, corner) < 60, `${distinctColours(seen, corner)} colours in an empty corner`);
+
+  // Without its surface the same place is a good deal plainer.
+  for (const id of ['surface', 'knots', 'handles']) await call(page, 'set', `display.${id}`, false);
+  await settled(page);
+  const empty = await picture(page);
+  assert.ok(distinctColours(empty, box) < distinctColours(seen, box) / 4);
+  assert.ok(difference(seen, empty) > 0.1);
+});
+
+pageTest('patch colours are clearly different hues', { size: [1200, 800] }, async (page) => {
+  await call(page, 'set', 'display.handles', false);
+  await call(page, 'set', 'display.knots', false);
+  await call(page, 'set', 'topology.u', 'open');
+  await call(page, 'set', 'topology.v', 'open');
+  await settled(page);
+  const stage = await stageRect(page);
+  const seen = await picture(page);
+  const hues = (await handlesOf(page))
+    .filter(({ screen: [x, y] }) => x > stage.x && y > stage.y && x < stage.x + stage.width && y < stage.y + stage.height)
+    .map(({ screen: [x, y] }) => {
+      const [r, g, b] = pixel(seen, x - stage.x, y - stage.y);
+      return Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b);
+    });
+  const bins = new Set(hues.map((hue) => Math.round((hue + Math.PI) / (Math.PI / 4)) % 8));
+  assert.ok(bins.size >= 3, `the handles' places have ${bins.size} kinds of hue`);
+});
+
+for (const scale of [1, 2, 3]) {
+  pageTest(`at a pixel ratio of ${scale} the canvas has the screen's pixels`, { scale, size: [760, 480] }, async (page) => {
+    await settled(page);
+    const { width, height, box } = await page.evaluate(() => {
+      const canvas = document.querySelector('canvas');
+      const { width, height } = canvas.getBoundingClientRect();
+      return { width: canvas.width, height: canvas.height, box: [width, height] };
+    });
+    assert.ok(Math.abs(width - scale * box[0]) <= 1 && Math.abs(height - scale * box[1]) <= 1, `${width} x ${height}`);
+    assert.ok(distinctColours(await picture(page)) > 1000);
+    const handle = await frontHandle(page);
+    await drag(page, handle.screen, plus(handle.screen, [20, 10]));
+    const moved = (await handlesOf(page)).find(({ id }) => id === handle.id);
+    assert.ok(distance(moved.screen, plus(handle.screen, [20, 10])) < 1.5);
+  });
+}
+
+pageTest('the stage follows the size of the window', {}, async (page) => {
+  await settled(page);
+  await page.setViewportSize({ width: 1240, height: 700 });
+  await page.waitForFunction(() => {
+    const canvas = document.querySelector('canvas');
+    return Math.abs(canvas.width - canvas.getBoundingClientRect().width * devicePixelRatio) <= 1;
+  });
+  await settled(page);
+  const stage = await stageRect(page);
+  assert.equal(Math.round(stage.height), 700);
+  for (const { screen: [x, y] } of await handlesOf(page)) {
+    assert.ok(x > stage.x && x < stage.x + stage.width && y > stage.y && y < stage.y + stage.height);
+  }
+  await page.setViewportSize({ width: 390, height: 760 });
+  await page.waitForFunction(() => document.querySelector('canvas').getBoundingClientRect().width === 390);
+  await settled(page);
+  const small = await stageRect(page);
+  assert.ok(small.height > 0.3 * 760 && small.height < 0.6 * 760);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, 'the page is wider than the phone');
+});
+
+pageTest('stage and paper follow the system from light to dark', {}, async (page) => {
+  await settled(page);
+  const backgrounds = async () => {
+    await settled(page);
+    const stage = await stageRect(page);
+    const seen = await picture(page);
+    const paper = await picture(page, { x: 4, y: 4, width: 4, height: 4 });
+    return [luminance(pixel(seen, 8, stage.height - 8)), luminance(pixel(paper, 1, 1))];
+  };
+  const light = await backgrounds();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const dark = await backgrounds();
+  await page.emulateMedia({ colorScheme: 'light' });
+  assert.ok(light.every((l) => l > 0.6), `light: ${light}`);
+  assert.ok(dark.every((l) => l < 0.05), `dark: ${dark}`);
+  assert.deepEqual(await backgrounds(), light);
+});
+
+// What stands in for the figure when it cannot be had.
+
+async function assertTrouble(page, pattern) {
+  const alert = page.getByRole('alert');
+  await alert.waitFor({ state: 'visible' });
+  assert.match(await alert.innerText(), pattern);
+  assert.ok((await page.getByRole('main').innerText()).length > 2000, 'the prose is gone with the figure');
+  return alert;
+}
+
+test('without WebGL the page says so', async () => {
+  const browser = await launch(['--disable-3d-apis']);
+  try {
+    const { page, complaints } = await openPage({ browser, wait: false });
+    await assertTrouble(page, /WebGL/);
+    const reason = await page.evaluate(() => window.knotwork.ready.then(() => '', (error) => error.message));
+    assert.match(reason, /WebGL/);
+    assert.deepEqual(complaints(), []);
+  } finally {
+    await browser.close();
+  }
+});
+
+pageTest(
+  'without WebAssembly the page says so',
+  { wait: false, before: (page) => page.addInitScript(() => delete window.WebAssembly) },
+  async (page) => {
+    await assertTrouble(page, /WebAssembly/);
+    assert.notEqual(await page.evaluate(() => window.knotwork.ready.then(() => '', (error) => error.message)), '');
+  },
+);
+
+pageTest(
+  'a download that breaks off is said, and trying again brings the figure',
+  {
+    wait: false,
+    expected: [/net::ERR_FAILED/],
+    before: (page) => page.route(/\.wasm$/, (route) => route.abort('failed')),
+  },
+  async (page) => {
+    const alert = await assertTrouble(page, /arrive|download|connection/i);
+    await page.unroute(/\.wasm$/);
+    await alert.getByRole('button').click();
+    await page.evaluate(() => window.knotwork.ready);
+    await settled(page);
+    assert.equal(await alert.isVisible(), false);
+    assert.ok((await handlesOf(page)).length > 0);
+  },
+);
+
+pageTest(
+  'a server that has lost the module is said too',
+  {
+    wait: false,
+    expected: [/404/],
+    before: (page) => page.route(/\.wasm$/, (route) => route.fulfill({ status: 404, body: 'not found' })),
+  },
+  async (page) => {
+    await assertTrouble(page, /arrive|download|connection|server/i);
+  },
+);
+
+pageTest(
+  'a module that is something else is said too',
+  {
+    wait: false,
+    expected: [],
+    before: (page) => page.route(/\.wasm$/, (route) => route.fulfill({ status: 200, body: '<!doctype html>Sign in' })),
+  },
+  async (page) => {
+    await assertTrouble(page, /./);
+  },
+);
+
+pageTest('the download shows its progress', {
+  wait: false,
+  before: async (page) => {
+    await page.route(/\.wasm$/, async (route) => {
+      await page.evaluate(() => new Promise((seen) => {
+        const look = () => (document.querySelector('progress').checkVisibility() ? seen() : requestAnimationFrame(look));
+        look();
+      }));
+      await route.continue();
+    });
+  },
+}, async (page) => {
+  await page.evaluate(() => window.knotwork.ready);
+  assert.equal(await page.getByRole('progressbar').isVisible(), false);
+});
+
+pageTest('without JavaScript the prose can be read', { scripts: false, wait: false }, async (page) => {
+  const main = page.getByRole('main');
+  assert.equal(await main.getByRole('heading', { level: 1 }).isVisible(), true);
+  assert.ok((await main.innerText()).length > 2000);
+  assert.ok((await main.locator('.katex').count()) > 10, 'the mathematics is not typeset');
+  assert.match(await page.locator('noscript').first().innerText(), /script/);
+});
+
+pageTest('a lost graphics context comes back with the same picture', {}, async (page) => {
+  const handle = await frontHandle(page);
+  await drag(page, handle.screen, plus(handle.screen, [40, -15]));
+  await page.mouse.move(3, 3);
+  await settled(page);
+  const before = await documentOf(page);
+  const seen = await picture(page);
+  await page.evaluate(() => {
+    const context = document.querySelector('canvas').getContext('webgl2');
+    window.lost = context.getExtension('WEBGL_lose_context');
+    window.lost.loseContext();
+  });
+  await page.getByRole('alert').waitFor({ state: 'visible' });
+  await page.evaluate(() => window.lost.restoreContext());
+  await page.getByRole('alert').waitFor({ state: 'hidden' });
+  await settled(page);
+  assert.deepEqual(await documentOf(page), before);
+  assert.ok(difference(seen, await picture(page)) < 0.001, 'the picture is another');
+  await call(page, 'set', 'topology.v', 'open');
+  await settled(page);
+  assert.ok(difference(seen, await picture(page)) > 0.02, 'the stage is frozen');
+});
+
+// Where it runs.
+
+test('the site works on a plain host, under a path of its own', async () => {
+  const host = await plainHost('/some/path/');
+  try {
+    const { page, complaints, close } = await openPage({ address: host.address });
+    await settled(page);
+    assert.ok(distinctColours(await picture(page)) > 1000);
+    assert.deepEqual(complaints(), []);
+    await close();
+  } finally {
+    await host.close();
+  }
+});
+
+pageTest(
+  'the page keeps to its policy, and fetches nothing from elsewhere',
+  {
+    before: (page) =>
+      page.addInitScript(() => {
+        window.violations = [];
+        addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
+      }),
+  },
+  async (page) => {
+    const handle = await frontHandle(page);
+    await drag(page, handle.screen, plus(handle.screen, [30, 10]));
+    await page.getByRole('button', { name: 'open the surface in v' }).click();
+    await settled(page);
+    assert.deepEqual(await page.evaluate(() => window.violations), []);
+    const policy = (await page.request.get(await siteAddress())).headers()['content-security-policy'];
+    assert.match(policy, /wasm-unsafe-eval/);
+    assert.doesNotMatch(policy, /'unsafe-eval'|'unsafe-inline'|https?:/);
+    assert.equal(
+      await page.evaluate(() => {
+        try {
+          return new Function('return 1')();
+        } catch {
+          return 'refused';
+        }
+      }),
+      'refused',
+    );
+    assert.deepEqual(await page.evaluate(() => window.violations.splice(0)), ['script-src']);
+  },
+);
+
+for (const [name, options] of [['desktop', { size: [1280, 800] }], ['phone', { size: [390, 844], scale: 2, touch: true }]]) {
+  pageTest(`nothing moves while the page arrives on a ${name}`, {
+    ...options,
+    before: (page) =>
+      page.addInitScript(() => {
+        window.shifts = 0;
+        new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) window.shifts += entry.value;
+        }).observe({ type: 'layout-shift', buffered: true });
+      }),
+  }, async (page) => {
+    await settled(page);
+    await page.evaluate(() => document.fonts.ready);
+    const shifts = await page.evaluate(() => window.shifts);
+    assert.ok(shifts < 0.02, `the layout has shifted by ${shifts}`);
+  });
+
+  for (const dark of [false, true]) {
+    pageTest(`axe finds nothing serious: ${name}, ${dark ? 'dark' : 'light'}`, { ...options, dark }, async (page) => {
+      await settled(page);
+      for (const details of await page.locator('details > summary').all()) await details.click();
+      await page.evaluate(() => scrollTo(0, 0));
+      // Through the debugger, since the page's policy lets no foreign script in.
+      await page.evaluate(await (await import('node:fs/promises')).readFile(axeSource, 'utf8'));
+      const found = await page.evaluate(async () => {
+        const { violations } = await window.axe.run(document, { resultTypes: ['violations'] });
+        return violations
+          .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+          .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 4).map((node) => `${node.html.slice(0, 120)} ${node.failureSummary}`).join(' | ')}`);
+      });
+      assert.deepEqual(found, []);
+    });
+  }
+}
+
+pageTest('headings, landmarks and names are in order', {}, async (page) => {
+  assert.equal(await page.getByRole('main').count(), 1);
+  assert.equal(await page.getByRole('heading', { level: 1 }).count(), 1);
+  assert.ok((await page.getByRole('heading', { level: 2 }).count()) >= 5);
+  assert.equal(await page.getByRole('application', { name: /surface/ }).count(), 1);
+  const links = await page.locator('a[href^="#"]').evaluateAll((all) => all.map((link) => link.getAttribute('href')));
+  for (const link of links) assert.equal(await page.locator(link).count(), 1, `${link} leads nowhere`);
+});
+
+pageTest('a real selection of prose is possible, and printing leaves the figure out of the way', {}, async (page) => {
+  await page.getByRole('main').locator('p').first().click({ clickCount: 3 });
+  assert.ok((await page.evaluate(() => getSelection().toString())).length > 60);
+  await page.emulateMedia({ media: 'print' });
+  assert.ok((await page.getByRole('main').locator('h2').count()) > 3);
+  const { width } = await page.getByRole('main').boundingBox();
+  assert.ok(width > 500, 'the prose is narrow on paper');
+  await page.emulateMedia({ media: 'screen' });
+});
+
+pageTest('the notice line tells what is held', {}, async (page) => {
+  const handle = await frontHandle(page);
+  await page.mouse.click(...handle.screen);
+  await until(page, () => document.querySelector('[role=status]').textContent.length > 3);
+});
