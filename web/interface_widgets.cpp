@@ -344,7 +344,7 @@ bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view
   const float rounding = rect.height / 2, opacity = enabled ? 1 : 0.4F;
   const Rect field = ui.touch ? Rect{rect.x, rect.y + 4, rect.width, rect.height - 8} : rect;
   fill(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity), rounding);
-  outline(list, field, colour(mixed(theme.rule, theme.ink_soft, warm * 0.6F), (1 - lit) * opacity), rounding);
+  outline(list, field, colour(mixed(theme.rule, theme.ink_soft, 0.25F + warm * 0.5F), (1 - lit) * opacity), rounding);
   const Colour ink = mixed(mixed(theme.ink_soft, theme.ink, warm), theme.paper, lit);
   text(ui, Face::small, rect.centre(), colour(ink, opacity), label, Align::centre);
   return press.clicked && enabled;
@@ -388,7 +388,9 @@ bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
   const Rect field{rect.x, rect.y + 3, rect.width, rect.height - 6};
+  list.PushClipRectFullScreen();
   soft_shadow(ui, list, field, field.height / 2, 0.5F);
+  list.PopClipRect();
   fill(list, field, colour(mixed(ui.theme.panel, ui.theme.ink, 0.06F * warm), 0.96F), field.height / 2);
   draw_icon(list, icon, {field.x + 20, field.y + field.height / 2}, 0.95F, colour(ui.theme.ink));
   text(ui, Face::bold, {field.x + 34, field.y + field.height / 2}, colour(ui.theme.ink), label);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
 
 #include "web/interface_widgets.h"
@@ -27,8 +28,10 @@ constexpr std::string_view title = "Blending surface", controls = "Controls", mo
 constexpr std::array<std::string_view, 6> first_rows{"topology.u", "topology.v",        "locals.u",
                                                      "locals.v",   "blending.function", "blending.parameter"};
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
+constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
 constexpr float padding = 16;         ///< inside the card
+constexpr float combo_margin = 40;    ///< beside the words of a closed list
 constexpr float clock_height = 64;    ///< from the stage's foot to the clock's upper edge
 constexpr float wide_stage = 660;     ///< from here on there is room for the wide card
 constexpr float tall_stage = 820;     ///< from here on the report's table is always in view
@@ -56,7 +59,7 @@ float label_width(const Frame& frame) { return frame.stage.width < wide_stage &&
 
 Rect card_frame(const Rect& stage) {
   const bool wide = stage.width >= wide_stage;
-  const float width = wide ? 276.0F : 248.0F, margin = wide ? 20.0F : 12.0F;
+  const float width = wide ? 276.0F : 252.0F, margin = wide ? 20.0F : 12.0F;
   return {stage.width - width - margin, margin, width, stage.height - clock_height - margin - 8};
 }
 
@@ -79,15 +82,6 @@ std::string value_text(const Parameter& parameter, double value) {
   std::string text = text_of(whole ? "%.0f" : parameter.step >= 0.1 ? "%.1f" : "%.2f", value);
   if (parameter.unit == "×") return text + "×";
   return text;
-}
-
-/// "u" of the group "Patches" is "patches u" where the group has no heading of its own.
-std::string full_label(const Parameter& parameter) {
-  std::string label(parameter.label);
-  if (label.size() > 1 || parameter.group == "Topology") return label;
-  std::string group(parameter.group);
-  if (!group.empty()) group.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(group.front())));
-  return group + " " + label;
 }
 
 void set(Frame& frame, const Parameter& parameter, scene::ParameterValue value) {
@@ -135,10 +129,15 @@ void take_slider(Frame& frame, const Parameter& parameter, const SliderEvent& ev
   }
 }
 
-SliderScale scale_of(const Parameter& parameter) {
-  SliderScale scale{parameter.min, parameter.max, parameter.step, false};
-  if (parameter.kind == ParameterKind::integer && scale.step <= 0) scale.step = 1;
-  // Six of at most 128 patches would sit at the very left of an even scale.
+/// A slider ends at the soft maximum; a larger value, typed or loaded, gives it the whole range, and it keeps that for as
+/// long as the thumb is held.
+SliderScale scale_of(Frame& frame, const Parameter& parameter, double value) {
+  const scene::Limits range = scene::range_of(frame.input.document, parameter);
+  const double soft = parameter.soft_max > range.min ? std::min(parameter.soft_max, range.max) : range.max;
+  const std::string key = std::string(parameter.id) + "#whole";
+  bool& whole = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(key.c_str()), false);
+  if (!frame.state.slider_held) whole = value > soft;
+  SliderScale scale{range.min, whole ? range.max : soft, parameter.step, false};
   scale.logarithmic = scale.min > 0 && scale.max >= 16 * scale.min;
   return scale;
 }
@@ -150,8 +149,8 @@ void number_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   const bool enabled = reason.empty();
   const double value = number(frame, parameter);
   const SliderEvent event =
-      slider(frame.ui, parameter.id, {row.x + labels, row.y, row.width - labels - values, height}, scale_of(parameter), value,
-             enabled);
+      slider(frame.ui, parameter.id, {row.x + labels, row.y, row.width - labels - values, height}, scale_of(frame, parameter, value),
+             value, enabled);
   take_slider(frame, parameter, event);
 
   const float middle = row.y + height / 2, strength = enabled ? 1 : 0.5F;
@@ -248,15 +247,19 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
     segments.push_back({option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
                         option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
 
-  const float height = row_height(frame), needed = segmented_width(frame.ui, segments);
-  const float gap = frame.ui.touch ? 4 : 6;
+  const float height = row_height(frame), gap = frame.ui.touch ? 4 : 6;
+  float needed = segmented_width(frame.ui, segments);
   const bool as_list = segments.size() > 4 || needed > column.width;
-  // Choices too wide to stand beside their label go below it.
-  const bool below = !as_list && needed > column.width - label_width(frame);
-  const float labels = below || label.empty() ? 0 : label_width(frame);
-  const float middle = column.y + (below ? 12.0F : height / 2);
-  text(frame.ui, Face::regular, {column.x, middle}, colour(frame.input.theme.ink_soft), label);
-  if (below && !label.empty()) column.y += 24;
+  if (as_list) {
+    needed = 0;
+    for (const Segment& segment : segments)
+      needed = std::max(needed, text_width(frame.ui, Face::regular, segment.label) + combo_margin);
+  }
+  // Words too wide to stand beside their label take the whole row; the words of choices speak for themselves.
+  const bool alone = label.empty() || needed > column.width - label_width(frame);
+  const float labels = alone ? 0 : label_width(frame);
+  if (!alone)
+    text(frame.ui, Face::regular, {column.x, column.y + height / 2}, colour(frame.input.theme.ink_soft), label);
 
   Rect rect{column.x + labels, column.y, column.width - labels, height};
   if (frame.ui.touch) rect = {rect.x, rect.y + 2, rect.width, rect.height - 4};
@@ -310,26 +313,28 @@ void rule(Frame& frame, Column& column, float space) {
 }
 
 void heading(Frame& frame, Column& column, std::string_view words) {
-  column.y += 6;
-  text(frame.ui, Face::bold, {column.x, column.y + 11}, colour(frame.input.theme.ink), words);
-  column.y += 26;
+  text(frame.ui, Face::bold, {column.x, column.y + 12}, colour(frame.input.theme.ink), words);
+  column.y += 27;
 }
 
 /// The legend names the two weights in their hues; under the pointer it gives their values.
 void plot_row(Frame& frame, Column& column) {
   const Theme& theme = frame.input.theme;
   const std::optional<double> w = frame.input.probe ? std::optional(frame.input.probe->blend_w_u) : std::nullopt;
-  const float middle = column.y + 9;
+  const float middle = column.y + 9, centre = column.x + column.width / 2;
   const ImU32 first = colour(as_text(theme, theme.local[0])), second = colour(as_text(theme, theme.local[1]));
-  text(frame.ui, Face::small, {column.x, middle}, first, "1 − B");
-  text(frame.ui, Face::small, {column.x + column.width, middle}, second, "B", Align::right);
+  std::string left = "1 − B", right = "B";
   if (w) {
     const double b = frame.input.surface.blending()(*w)[0];
-    text(frame.ui, Face::small, {column.x + column.width / 2, middle}, colour(theme.ink_soft),
-         text_of("%.2f", 1 - b) + "  at w " + text_of("%.2f", *w) + "  " + text_of("%.2f", b), Align::centre);
+    left += "  " + text_of("%.2f", 1 - b);
+    right = text_of("%.2f", b) + "  " + right;
+    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), "w " + text_of("%.2f", *w), Align::centre);
   } else {
-    text(frame.ui, Face::small, {column.x + column.width / 2, middle}, colour(theme.ink_soft, 0.8F), "B′ shaded", Align::centre);
+    ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4}, colour(theme.ink, 0.12F), 2);
+    text(frame.ui, Face::small, {centre + 1, middle}, colour(theme.ink_soft), "B′");
   }
+  text(frame.ui, Face::small, {column.x, middle}, first, left);
+  text(frame.ui, Face::small, {column.x + column.width, middle}, second, right, Align::right);
   column.y += 18;
   blending_plot(frame.ui, {column.x, column.y, column.width, 64}, frame.input.surface.blending(), w);
   column.y += 68;
@@ -387,7 +392,7 @@ void first_part(Frame& frame, Column& column) {
     // A row that most blending functions have no use for takes up no room.
     if (id == "blending.parameter" && !why_disabled(frame, *parameter).empty()) continue;
     if (id == "blending.function") column.y += 4;
-    parameter_row(frame, column, *parameter, full_label(*parameter));
+    parameter_row(frame, column, *parameter, parameter->label);
   }
   column.y += 2;
   plot_row(frame, column);
@@ -395,8 +400,10 @@ void first_part(Frame& frame, Column& column) {
 
 /// All rows of the table that have no place of their own, group by group; groups of switches first, as they are used most.
 void other_parts(Frame& frame, Column& column) {
-  const auto other = [](const Parameter& parameter) {
-    return !listed(first_rows, parameter.id) && !listed(clock_rows, parameter.id);
+  const std::span<const std::string_view> beside_clock =
+      std::span(clock_rows).first(frame.ui.touch ? phone_clock_rows : clock_rows.size());
+  const auto other = [&](const Parameter& parameter) {
+    return !listed(first_rows, parameter.id) && !listed(beside_clock, parameter.id);
   };
   std::vector<std::string_view> groups;
   for (const bool switches : {true, false})
@@ -406,21 +413,24 @@ void other_parts(Frame& frame, Column& column) {
         groups.push_back(parameter.group);
 
   for (const std::string_view group : groups) {
-    heading(frame, column, group);
-    std::vector<const Parameter*> toggles;
+    std::vector<const Parameter*> toggles, rows;
     for (const Parameter& parameter : scene::parameters())
-      if (parameter.group == group && other(parameter) && parameter.kind == ParameterKind::toggle) toggles.push_back(&parameter);
+      if (parameter.group == group && other(parameter))
+        (parameter.kind == ParameterKind::toggle ? toggles : rows).push_back(&parameter);
+    // Numbers, and a row by itself, say enough with their own labels.
+    const bool headed = toggles.size() + rows.size() > 1 && (!toggles.empty() || rows.front()->kind == ParameterKind::choice);
+    if (headed)
+      heading(frame, column, group);
+    else
+      column.y += 6;
     if (!toggles.empty()) chip_rows(frame, column, toggles);
-    for (const Parameter& parameter : scene::parameters())
-      if (parameter.group == group && other(parameter) && parameter.kind != ParameterKind::toggle)
-        parameter_row(frame, column, parameter, parameter.label);
+    for (const Parameter* row : rows) parameter_row(frame, column, *row, row->label);
   }
 }
 
 constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
 
 void begin(Frame& frame, const char* name, const Rect& rect, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(rect.min());
@@ -434,8 +444,10 @@ void card_background(Frame& frame, const Rect& card, float opacity) {
   list.PushClipRectFullScreen();
   soft_shadow(frame.ui, list, card, 12);
   list.AddRectFilled(card.min(), card.max(), colour(frame.input.theme.panel, opacity), 12);
-  list.AddRect({card.x + 0.5F, card.y + 0.5F}, {card.x + card.width - 0.5F, card.y + card.height - 0.5F},
-               colour(frame.input.theme.rule, frame.input.theme.dark ? 1.0F : 0.6F), 11.5F);
+  // On a dark stage a shadow alone does not part the card from it.
+  if (frame.input.theme.dark)
+    list.AddRect({card.x + 0.5F, card.y + 0.5F}, {card.x + card.width - 0.5F, card.y + card.height - 0.5F},
+                 colour(frame.input.theme.rule), 11.5F);
   list.PopClipRect();
 }
 
@@ -443,9 +455,10 @@ void card_background(Frame& frame, const Rect& card, float opacity) {
 void fade_foot(Frame& frame, const Rect& card, float rounding) {
   if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) return;
   const ImU32 clear = colour(frame.input.theme.panel, 0), full = colour(frame.input.theme.panel, 1);
-  ImGui::GetWindowDrawList()->AddRectFilledMultiColor({card.x + 1, card.y + card.height - 28},
-                                                      {card.x + card.width - 10, card.y + card.height - rounding}, clear,
-                                                      clear, full, full);
+  const float foot = card.y + card.height, solid = rounding > 0 ? rounding : 4;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilledMultiColor({card.x + 1, foot - solid - 24}, {card.x + card.width - 9, foot - solid}, clear, clear, full, full);
+  list.AddRectFilled({card.x + 1, foot - solid}, {card.x + card.width - 9, foot}, full, rounding, ImDrawFlags_RoundCornersBottomLeft);
 }
 
 void card(Frame& frame) {
@@ -487,7 +500,7 @@ void card(Frame& frame) {
   const float height = std::round(folded + (unfolded - folded) * share);
   if (height != frame.state.card_height) frame.ui.wants_frame = true;
   frame.state.card_height = height;
-  if (scrolls) fade_foot(frame, rect, 10);
+  if (scrolls) fade_foot(frame, rect, 12);
   ImGui::End();
 }
 
@@ -510,6 +523,8 @@ void drawer(Frame& frame) {
 
   const float height = std::round(stage.height * 0.68F);
   const Rect rect{0, std::round(stage.height - height * share), stage.width, height};
+  // Above the clock, which is the window last touched when someone has just played.
+  ImGui::SetNextWindowFocus();
   begin(frame, "drawer", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   card_background(frame, {rect.x - 1, rect.y, rect.width + 2, rect.height + 20}, 0.98F);
   Column head{rect.x + padding, rect.width - 2 * padding, rect.y + 14};
@@ -566,12 +581,12 @@ void clock(Frame& frame) {
   if (!phone) {
     right -= 4 * 32.0F;
     tools(frame, right + 4, middle);
-    right -= 14;
+    right -= 10;
     const double pace = number(frame, *speed);
-    text(frame.ui, Face::small, {right, middle}, colour(theme.ink_soft), text_of("%.2g", pace) + "×", Align::right);
-    right -= 34;
+    right -= 32;
+    text(frame.ui, Face::small, {right + 8, middle}, colour(theme.ink_soft), text_of("%.2g", pace) + "×");
     const float width = frame.stage.width >= wide_stage ? 72.0F : 52.0F;
-    const SliderEvent event = slider(frame.ui, speed->id, {right - width, middle - 16, width, 32}, scale_of(*speed), pace);
+    const SliderEvent event = slider(frame.ui, speed->id, {right - width, middle - 16, width, 32}, scale_of(frame, *speed, pace), pace);
     take_slider(frame, *speed, event);
     right -= width + 14;
   } else {
@@ -581,7 +596,7 @@ void clock(Frame& frame) {
   text(frame.ui, Face::regular, {right, middle}, colour(theme.ink_soft), text_of("%.1f s", now), Align::right);
   right -= 50;
   const float left = rect.x + 52;
-  SliderScale scale = scale_of(*time);
+  SliderScale scale = scale_of(frame, *time, now);
   scale.step = 0;  // the clock has no steps
   const SliderEvent event = slider(frame.ui, time->id, {left, middle - 22, right - left, 44}, scale, now);
   take_slider(frame, *time, event);
@@ -697,7 +712,7 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   Frame frame{state, input, output, ui, scene::blending_surface(input.document), stage};
 
   probe(frame);
-  clock(frame);
+  if (!input.phone || state.drawer_share < 1) clock(frame);
   if (input.phone) {
     begin(frame, "tools", {8, 8, 168, 44}, ImGuiWindowFlags_NoScrollbar);
     tools(frame, 8, 30);
