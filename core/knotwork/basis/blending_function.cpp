@@ -1,5 +1,6 @@
 #include "knotwork/basis/blending_function.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -69,17 +70,20 @@ BlendingValue trigonometric3(double t) {
           9 * pi * pi * pi / 4 * s * (2 * c * c - s * s)};
 }
 
-/// I_t(m+1,m+1) = t^(m+1) sum_{k<=m} C(m+k,k) (1-t)^k: all terms positive.
+/// I_t(m+1,m+1) = t^(m+1) sum_{k<=m} C(m+k,k) (1-t)^k, all terms positive; the right half by symmetry, so that B is
+/// exactly 1 at 1 and does not turn back next to it.
 BlendingValue polynomial(int m, double t) {
   const double r = 1 - t, q = t * r, slope = 1 - 2 * t;
+  const double near = std::min(t, r), far = std::max(t, r);
   double sum = 0, term = 1;
   for (int k = 0; k <= m; ++k) {
     sum += term;
-    term *= r * (m + k + 1) / (k + 1);
+    term *= far * (m + k + 1) / (k + 1);
   }
+  const double part = integer_power(near, m + 1) * sum;
   double inverse_beta = 2 * m + 1;  // 1 / Beta(m+1,m+1) = (2m+1) C(2m,m)
   for (int k = 1; k <= m; ++k) inverse_beta = inverse_beta * (m + k) / k;
-  BlendingValue value{integer_power(t, m + 1) * sum, inverse_beta * integer_power(q, m), 0, 0};
+  BlendingValue value{t <= 0.5 ? part : 1 - part, inverse_beta * integer_power(q, m), 0, 0};
   if (m >= 1) value[2] = inverse_beta * m * integer_power(q, m - 1) * slope;
   if (m == 1) value[3] = -2 * inverse_beta;
   if (m >= 2) {

@@ -136,6 +136,8 @@ double ExpoRationalTable::from_end(const Side& side, double distance) const {
 BlendingValue ExpoRationalTable::operator()(double t) const {
   const bool left = t <= parameters_.lambda;
   const double distance = left ? t : 1 - t;
+  // Ever so slowly for small alpha and gamma, but phi is 0 at an end with all its derivatives unless lambda is there.
+  if (distance == 0 && t != parameters_.lambda) return {left ? 0.0 : 1.0, 0, 0, 0};
   const double part = scale_ * from_end(left ? left_ : right_, distance);
   const Density d = density(place(left, distance));
   const double b1 = scale_ * d.phi;

@@ -26,7 +26,7 @@ std::vector<float> blend_table(const KnotVector& knots, const BlendingFunction& 
   for (const double x : t) {
     i = knots.span(x, i);
     const double delta = 1 / (knots[i + 1] - knots[i]);
-    const BlendingValue b = blending((x - knots[i]) * delta);
+    const BlendingValue b = blending(translation_and_scaling(knots, 1, i, x));
     append_four(table, {b[0], b[1] * delta, static_cast<double>(i - 1), static_cast<double>(i % knots.count())});
   }
   return table;

@@ -24,7 +24,8 @@ struct DirectionBlend {
 DirectionBlend direction_blend(const KnotVector& knots, const BlendingFunction& blending, double reduced, int hint) {
   const int i = knots.span(reduced, hint);
   const double delta = 1 / (knots[i + 1] - knots[i]);
-  const BlendingValue b = blending((reduced - knots[i]) * delta);
+  // w by a division, not by delta: exactly 1 at the end of an open direction.
+  const BlendingValue b = blending(translation_and_scaling(knots, 1, i, reduced));
   const double b1 = b[1] * delta, b2 = b[2] * delta * delta;
   return {i - 1, i == knots.count() ? 0 : i, {1 - b[0], -b1, -b2}, {b[0], b1, b2}};
 }

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "knotwork/surface/blending_surface.h"
+#include "unit/oracle.h"
+
+namespace knotwork::test {
+
+/// Reproducible numbers in [-1,1], the same on every platform (a multiplicative generator of period 2^62).
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : state_(2 * seed + 1) {}
+  double operator()() {
+    state_ *= 6364136223846793005u;
+    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1;
+  }
+  Eigen::Vector3d vector() {
+    const double x = (*this)(), y = (*this)(), z = (*this)();
+    return {x, y, z};
+  }
+  /// Translation, rotation, scale and shear, all moderate.
+  Eigen::Affine3d affine() {
+    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    for (int k = 0; k < 3; ++k) map.matrix().col(k).head<3>() += 0.3 * vector();
+    map.translation() = 0.4 * vector();
+    return map;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+struct SurfaceCase {
+  std::string name;
+  BlendingSurface surface;
+};
+
+/// Knots over a domain: n locals, equidistant or not.
+inline KnotVector case_knots(int n, Topology topology, const Interval& range, bool uniform) {
+  if (uniform) return KnotVector::uniform(1, n, topology, range.start, range.end).value();
+  const bool closed = topology == Topology::closed;
+  const int intervals = closed ? n : n - 1;
+  const double length = range.end - range.start;
+  // Widths 1, 2, 1, 2, ... and the last 1.5.
+  std::vector<double> at{0};
+  for (int k = 0; k < intervals; ++k) at.push_back(at.back() + (k == intervals - 1 ? 1.5 : 1 + k % 2));
+  const double total = at.back();
+  for (double& t : at) t = range.start + length * (t / total);
+  at.back() = range.end;
+  const double before = closed ? range.start - (at.back() - at[at.size() - 2]) : range.start;
+  const double after = closed ? range.end + (at[1] - at[0]) : range.end;
+  at.insert(at.begin(), before);
+  at.push_back(after);
+  return KnotVector::make(1, topology, std::move(at)).value();
+}
+
+/// Every local moved by its own affine map: with unmoved locals nothing would be detected (THEORY 2.7, P1).
+inline BlendingSurface moved(BlendingSurface surface, std::uint64_t seed) {
+  Numbers numbers(seed);
+  for (int i = 0; i < surface.knots_u().count(); ++i) {
+    for (int j = 0; j < surface.knots_v().count(); ++j) {
+      surface.set_local(i, j, surface.local(i, j) * numbers.affine());
+    }
+  }
+  return surface;
+}
+
+inline BlendingSurface unmoved(const ModelSurface& model, const KnotVector& u, const KnotVector& v,
+                               const BlendingFunction& b) {
+  return BlendingSurface::make(model, u, v, b, BlendingSurface::unmoved_locals(model, u, v)).value();
+}
+
+/// Every B-function once, at its default parameter, and a lopsided expo-rational one.
+inline std::vector<BlendingFunction> case_functions() {
+  std::vector<BlendingFunction> functions;
+  for (const BlendingFamily& family : blending_families()) {
+    functions.push_back(BlendingFunction::make(family.kind, family.parameter_default).value());
+  }
+  functions.push_back(BlendingFunction::make(ExpoRationalParameters{1, 1, 2, 0.4}).value());
+  return functions;
+}
+
+/// All four topologies over every model that allows them, n from 2 up, uniform and not, every B-function, all moved.
+inline std::vector<SurfaceCase> surface_cases() {
+  struct Shape {
+    const char* name;
+    ModelSurface model;
+  };
+  const Shape shapes[] = {{"plane", Plane{}},
+                          {"cylinder", Cylinder{1, 1.3, 2}},
+                          {"torus", Torus{1, 0.4, 0.6}},
+                          {"sheet", Sheet{1, 1}},
+                          {"half-rolled sheet", Sheet{0.6, 1}}};
+  struct Size {
+    int n_u, n_v;
+    bool uniform;
+  };
+  const Size sizes[] = {{2, 2, true}, {2, 3, false}, {3, 4, false}, {5, 3, true}};
+  const std::vector<BlendingFunction> functions = case_functions();
+
+  std::vector<SurfaceCase> cases;
+  std::size_t next_function = 0;
+  for (const Shape& shape : shapes) {
+    const SurfaceDomain where = domain(shape.model);
+    for (const Topology u : {Topology::open, Topology::closed}) {
+      for (const Topology v : {Topology::open, Topology::closed}) {
+        if (u == Topology::closed && where.closure_u == Topology::open) continue;
+        if (v == Topology::closed && where.closure_v == Topology::open) continue;
+        for (const Size& size : sizes) {
+          // Three functions a surface, taken in turn, so that each meets every topology.
+          for (int k = 0; k < 3; ++k) {
+            const BlendingFunction& b = functions[next_function++ % functions.size()];
+            const std::string name = std::string(shape.name) + (u == Topology::open ? " open" : " closed") +
+                                     (v == Topology::open ? "/open " : "/closed ") + std::to_string(size.n_u) + "x" +
+                                     std::to_string(size.n_v) + (size.uniform ? " uniform " : " non-uniform ") +
+                                     std::string(blending_family(b.kind()).id);
+            cases.push_back({name, moved(unmoved(shape.model, case_knots(size.n_u, u, where.u, size.uniform),
+                                                 case_knots(size.n_v, v, where.v, size.uniform), b),
+                                         cases.size() + 1)});
+          }
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+/// Parameters inside every knot interval at the given fractions.
+inline std::vector<double> interval_parameters(const KnotVector& knots, const std::vector<double>& fractions) {
+  std::vector<double> t;
+  for (int i = knots.degree(); i <= knots.last_span(); ++i) {
+    for (const double w : fractions) t.push_back(knots[i] + w * (knots[i + 1] - knots[i]));
+  }
+  return t;
+}
+
+/// The largest norm of each vector of the jet over a coarse grid: its natural magnitude on this surface.
+struct JetScale {
+  double part[6] = {};
+};
+inline JetScale jet_scale(const BlendingSurface& surface) {
+  JetScale scale;
+  for (const double u : interval_parameters(surface.knots_u(), {0, 0.3, 0.5, 0.8})) {
+    for (const double v : interval_parameters(surface.knots_v(), {0, 0.3, 0.5, 0.8})) {
+      const SurfaceJet jet = surface.evaluate(u, v);
+      for (int k = 0; k < 6; ++k) scale.part[k] = std::max(scale.part[k], jet_part(jet, k).norm());
+    }
+  }
+  return scale;
+}
+
+}  // namespace knotwork::test

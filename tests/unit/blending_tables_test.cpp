@@ -1,0 +1,100 @@
+#include "knotwork/mesh/blending_tables.h"
+
+#include <numbers>
+
+#include "unit/oracle.h"
+
+using namespace knotwork;
+using namespace knotwork::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
+  const ModelSurface model = Torus{1, 0.4, 0.6};
+  const KnotVector u = KnotVector::uniform(1, 3, topology_u, 0, 2 * pi).value();
+  const KnotVector v = KnotVector::uniform(1, 4, topology_v, 0, 2 * pi).value();
+  BlendingSurface surface =
+      BlendingSurface::make(model, u, v, BlendingFunction::make(BlendingKind::polynomial2).value(),
+                            BlendingSurface::unmoved_locals(model, u, v))
+          .value();
+  surface.set_local(0, 0, Eigen::Affine3d(Eigen::Translation3d(0.2, 0, 0.3) * surface.local(0, 0)));
+  surface.set_local(2, 3, Eigen::Affine3d(surface.local(2, 3) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX())));
+  return surface;
+}
+
+/// What the vertex shader does, in float32: the blend of four maps times the model point and its partials.
+struct ShaderVertex {
+  Eigen::Vector3f s, su, sv;
+};
+ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int n_v, std::size_t a, std::size_t b) {
+  const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
+  const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.rows) + b);
+  using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
+  const auto map = [&](float i, float j) {
+    return Map(Eigen::Map<const Map>(&maps[12 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(n_v) +
+                                                 static_cast<std::size_t>(j))]));
+  };
+  const Map m00 = map(bu[2], bv[2]), m01 = map(bu[2], bv[3]), m10 = map(bu[3], bv[2]), m11 = map(bu[3], bv[3]);
+  const Map low = (1 - bv[0]) * m00 + bv[0] * m01, high = (1 - bv[0]) * m10 + bv[0] * m11;
+  const Map whole = (1 - bu[0]) * low + bu[0] * high, by_u = bu[1] * (high - low);
+  const Map by_v = bv[1] * ((1 - bu[0]) * (m01 - m00) + bu[0] * (m11 - m10));
+  const Eigen::Vector4f p(tables.points[vertex], tables.points[vertex + 1], tables.points[vertex + 2], 1);
+  const Eigen::Vector3f pu(&tables.partials_u[vertex]), pv(&tables.partials_v[vertex]);
+  return {whole * p, by_u * p + whole.leftCols<3>() * pu, by_v * p + whole.leftCols<3>() * pv};
+}
+
+}  // namespace
+
+TEST_CASE("the shader's arithmetic on the tables gives the surface to float precision, in all four topologies") {
+  for (const Topology topology_u : {Topology::open, Topology::closed}) {
+    for (const Topology topology_v : {Topology::open, Topology::closed}) {
+      const BlendingSurface surface = moved_surface(topology_u, topology_v);
+      const BlendingTables tables = blending_tables(surface, 24, 20);
+      const std::vector<float> maps = map_table(surface);
+      REQUIRE(maps.size() == 12 * 12);
+      REQUIRE(tables.u.size() == static_cast<std::size_t>(tables.columns));
+      REQUIRE(tables.v.size() == static_cast<std::size_t>(tables.rows));
+      REQUIRE(tables.blend_u.size() == 4 * tables.u.size());
+      REQUIRE(tables.blend_v.size() == 4 * tables.v.size());
+      REQUIRE(tables.points.size() == 4 * tables.u.size() * tables.v.size());
+      CHECK(tables.u.back() == surface.knots_u().end());
+      CHECK(tables.v.back() == surface.knots_v().end());
+      for (std::size_t a = 0; a < tables.u.size(); ++a) {
+        for (std::size_t b = 0; b < tables.v.size(); ++b) {
+          const SurfaceJet jet = surface.evaluate(tables.u[a], tables.v[b]);
+          const ShaderVertex vertex = shade(tables, maps, surface.knots_v().count(), a, b);
+          REQUIRE(close(vertex.s.cast<double>(), jet.s, 1e-6, 1));
+          REQUIRE(close(vertex.su.cast<double>(), jet.su, 2e-6, 1));
+          REQUIRE(close(vertex.sv.cast<double>(), jet.sv, 2e-6, 1));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a repeated seam is the same numbers twice") {
+  const BlendingSurface surface = moved_surface(Topology::closed, Topology::closed);
+  const BlendingTables tables = blending_tables(surface, 9, 8);
+  const auto rows = static_cast<std::size_t>(tables.rows), last = static_cast<std::size_t>(tables.columns) - 1;
+  for (std::size_t k = 0; k < 4 * rows; ++k) CHECK(tables.points[k] == tables.points[4 * last * rows + k]);
+  for (std::size_t k = 0; k < 4; ++k) CHECK(tables.blend_u[k] == tables.blend_u[4 * last + k]);
+  for (std::size_t k = 0; k < 4; ++k) CHECK(tables.blend_v[k] == tables.blend_v[4 * (rows - 1) + k]);
+}
+
+TEST_CASE("only the map table follows a moved local") {
+  BlendingSurface surface = moved_surface(Topology::closed, Topology::open);
+  const BlendingTables before = blending_tables(surface, 12, 12);
+  const std::vector<float> maps_before = map_table(surface);
+  surface.set_local(1, 2, Eigen::Affine3d(Eigen::Translation3d(0, 0, 1) * surface.local(1, 2)));
+  const BlendingTables after = blending_tables(surface, 12, 12);
+  CHECK(before.points == after.points);
+  CHECK(before.partials_u == after.partials_u);
+  CHECK(before.blend_v == after.blend_v);
+  const std::vector<float> maps_after = map_table(surface);
+  for (std::size_t k = 0; k < maps_after.size(); ++k) {
+    const bool moved_entry = k == 12 * (1 * 4 + 2) + 11;
+    CHECK((maps_after[k] != maps_before[k]) == moved_entry);
+  }
+}

@@ -1,0 +1,46 @@
+#include "knotwork/result.h"
+
+#include <memory>
+
+#include <doctest/doctest.h>
+
+using namespace knotwork;
+
+namespace {
+
+Result<int> half(int x) {
+  if (x % 2 != 0) return Error{"x", "The number must be even."};
+  return x / 2;
+}
+
+}  // namespace
+
+TEST_CASE("a Result holds a value or an error with path and sentence") {
+  const Result<int> good = half(6);
+  CHECK(good.has_value());
+  CHECK(static_cast<bool>(good));
+  CHECK(good.value() == 3);
+
+  const Result<int> bad = half(7);
+  CHECK_FALSE(bad.has_value());
+  CHECK(bad.error().path == "x");
+  CHECK(bad.error().message == "The number must be even.");
+}
+
+TEST_CASE("a Result gives up a move-only value") {
+  Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
+  const std::unique_ptr<int> taken = std::move(result).value();
+  CHECK(*taken == 5);
+}
+
+TEST_CASE("a Result's value can be changed in place") {
+  Result<int> result = half(4);
+  result.value() += 1;
+  CHECK(result.value() == 3);
+}
+
+TEST_CASE("Status is success without a value") {
+  CHECK(success().has_value());
+  const Status failure = Error{"", "No."};
+  CHECK_FALSE(failure.has_value());
+}
