@@ -140,6 +140,15 @@ Status App::open_chapter(std::string_view id) {
   return status;
 }
 
+void App::gesture(bool open) {
+  if (open) {
+    history_.begin_gesture();
+  } else {
+    history_.end_gesture();
+    changed();
+  }
+}
+
 bool App::undo() {
   if (!history_.undo(document_)) return false;
   camera_transition_.reset();

@@ -53,6 +53,8 @@ class App {
   Status perform(const scene::Command& command);
   Status load(scene::Document document);
   Status open_chapter(std::string_view id);
+  /// Commands between an opened and a closed gesture are one step of the history.
+  void gesture(bool open);
   bool undo();
   bool redo();
   void select(std::optional<scene::PatchIndex> patch);

@@ -123,6 +123,9 @@ EMSCRIPTEN_KEEPALIVE const char* knotwork_play(bool playing) {
 EMSCRIPTEN_KEEPALIVE const char* knotwork_seek(double seconds) {
   return app() == nullptr ? no_app() : give(answer_seek(*app(), seconds));
 }
+EMSCRIPTEN_KEEPALIVE void knotwork_gesture(bool open) {
+  if (app() != nullptr) app()->gesture(open);
+}
 EMSCRIPTEN_KEEPALIVE const char* knotwork_undo() { return app() == nullptr ? no_app() : give(answer_undo(*app())); }
 EMSCRIPTEN_KEEPALIVE const char* knotwork_redo() { return app() == nullptr ? no_app() : give(answer_redo(*app())); }
 EMSCRIPTEN_KEEPALIVE const char* knotwork_stats() { return app() == nullptr ? no_app() : give(answer_stats(*app())); }

@@ -39,6 +39,8 @@ const char* knotwork_widgets();  ///< rect relative to the stage
 const char* knotwork_evaluate(const char* object, const char* json_parameter, int order);
 const char* knotwork_play(bool playing);
 const char* knotwork_seek(double seconds);
+/// Commands between an opened and a closed gesture are one step of undo (a drag of a range beside the prose).
+void knotwork_gesture(bool open);
 const char* knotwork_undo();
 const char* knotwork_redo();
 const char* knotwork_stats();

@@ -12,6 +12,7 @@ type Instantiate = (
 export interface ModuleOptions {
   canvas: HTMLCanvasElement;
   instantiateWasm: Instantiate;
+  onFrameNeeded(): void;
   print(text: string): void;
   printErr(text: string): void;
   onAbort(reason: unknown): void;
@@ -19,13 +20,11 @@ export interface ModuleOptions {
 
 export type ModuleFactory = (options: ModuleOptions) => Promise<EmscriptenModule>;
 
-type Argument = number | string | boolean;
+type Argument = number | string | Uint8Array;
+type ArgumentType = 'number' | 'string' | 'array';
 
 export interface EmscriptenModule {
-  ccall(name: string, result: 'string' | 'number' | null, types: ('string' | 'number')[], values: Argument[]): unknown;
-  HEAPU8: Uint8Array;
-  _malloc(size: number): number;
-  _free(pointer: number): void;
+  ccall(name: string, result: 'string' | 'number', types: ArgumentType[], values: Argument[]): unknown;
 }
 
 export enum PointerKind { move, down, up, cancel, leave }
@@ -34,7 +33,7 @@ export enum Device { mouse, pen, touch }
 export interface Direction {
   topology: 'open' | 'closed';
   domain: string;
-  knots: number;
+  knots: readonly number[];
   patches: number;
   locals: number;
 }
@@ -79,10 +78,7 @@ export class Bridge {
     return this.number('knotwork_start', selector) !== 0;
   }
   font(bytes: Uint8Array, weight: 400 | 600): void {
-    const pointer = this.module._malloc(bytes.length);
-    this.module.HEAPU8.set(bytes, pointer);
-    this.number('knotwork_font', pointer, bytes.length, weight);
-    this.module._free(pointer);
+    this.number('knotwork_font', bytes, bytes.length, weight);
   }
   resize(width: number, height: number, pixelRatio: number): void {
     this.number('knotwork_resize', width, height, pixelRatio);
@@ -112,9 +108,6 @@ export class Bridge {
   }
   key(down: boolean, key: string, modifiers: number): boolean {
     return this.number('knotwork_key', Number(down), key, modifiers) !== 0;
-  }
-  text(text: string): void {
-    this.number('knotwork_text', text);
   }
   focus(focused: boolean): void {
     this.number('knotwork_focus', Number(focused));
@@ -153,6 +146,10 @@ export class Bridge {
   seek(seconds: number): void {
     this.json('knotwork_seek', seconds);
   }
+  /// Commands between an opened and a closed gesture are one step of undo.
+  gesture(open: boolean): void {
+    this.number('knotwork_gesture', Number(open));
+  }
   undo(): void {
     this.json('knotwork_undo');
   }
@@ -175,20 +172,20 @@ export class Bridge {
     return this.number('knotwork_revision');
   }
   select(handle: string): void {
-    this.number('knotwork_select', handle);
+    this.json('knotwork_select', handle);
   }
 
-  private number(name: string, ...values: (number | string)[]): number {
-    return this.module.ccall(name, 'number', values.map(typeName), values) as number;
+  private number(name: string, ...values: Argument[]): number {
+    return this.module.ccall(name, 'number', values.map(typeOf), values) as number;
   }
-  private string(name: string, ...values: (number | string)[]): string {
-    return this.module.ccall(name, 'string', values.map(typeName), values) as string;
+  private string(name: string, ...values: Argument[]): string {
+    return this.module.ccall(name, 'string', values.map(typeOf), values) as string;
   }
-  private json(name: string, ...values: (number | string)[]): unknown {
+  private json(name: string, ...values: Argument[]): unknown {
     return unwrap(this.string(name, ...values));
   }
 }
 
-function typeName(value: number | string): 'number' | 'string' {
-  return typeof value === 'string' ? 'string' : 'number';
+function typeOf(value: Argument): ArgumentType {
+  return typeof value === 'string' ? 'string' : typeof value === 'number' ? 'number' : 'array';
 }

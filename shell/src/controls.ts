@@ -7,43 +7,49 @@ export interface Control {
   update(parameter: Parameter): void;
 }
 
-export type SetValue = (id: string, value: number | string | boolean) => void;
+export interface Setter {
+  set(id: string, value: number | string | boolean): void;
+  /// What is set while a gesture is open is one step of undo.
+  gesture(open: boolean): void;
+}
 
 let serial = 0;
 
 /// Fills `place` with the control that suits `parameter`.
-export function makeControl(place: HTMLElement, parameter: Parameter, set: SetValue): Control {
-  if (parameter.kind === 'toggle') return makeSwitch(place, parameter, set);
-  if (parameter.kind !== 'choice') return makeRange(place, parameter, set);
-  return parameter.choices.length <= 3 ? makeSegments(place, parameter, set) : makeSelect(place, parameter, set);
+export function makeControl(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+  if (parameter.kind === 'toggle') return makeSwitch(place, parameter, setter);
+  if (parameter.kind !== 'choice') return makeRange(place, parameter, setter);
+  return parameter.choices.length <= 3 ? makeSegments(place, parameter, setter) : makeSelect(place, parameter, setter);
 }
 
-function makeSegments(row: HTMLElement, parameter: Parameter, set: SetValue): Control {
-  // The row becomes a fieldset: the group's name is its legend.
-  const place = document.createElement('fieldset');
-  place.className = row.className;
-  place.dataset['parameter'] = parameter.id;
+function makeSegments(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
   place.dataset['kind'] = 'segments';
-  row.replaceWith(place);
-  const legend = element('legend', '');
-  if (parameter.label.length <= 2) legend.append(element('span', 'hidden', `${parameter.group} `));
-  legend.append(parameter.label);
+  const label = element('span', 'label');
+  label.id = `label-${++serial}`;
+  // A single letter says too little to a reader who does not see what stands around it.
+  if (parameter.label.length <= 2) {
+    label.append(element('span', 'hidden', `${parameter.group} `));
+    place.classList.add('short');
+  }
+  label.append(parameter.label);
   const segments = element('div', 'segments');
+  segments.setAttribute('role', 'group');
+  segments.setAttribute('aria-labelledby', label.id);
   const reason = reasonFor(place, true);
   const name = `parameter-${++serial}`;
   const inputs = new Map<string, HTMLInputElement>();
   for (const choice of parameter.choices) {
-    const label = element('label', '');
+    const item = element('label', '');
     const input = element('input', '');
     input.type = 'radio';
     input.name = name;
     input.value = choice.id;
-    input.addEventListener('change', () => set(parameter.id, choice.id));
-    label.append(input, choice.label);
-    segments.append(label);
+    input.addEventListener('change', () => setter.set(parameter.id, choice.id));
+    item.append(input, choice.label);
+    segments.append(item);
     inputs.set(choice.id, input);
   }
-  place.replaceChildren(legend, segments, reason.element);
+  place.replaceChildren(label, segments, reason.element);
   return {
     id: parameter.id,
     update(now) {
@@ -62,12 +68,12 @@ function makeSegments(row: HTMLElement, parameter: Parameter, set: SetValue): Co
   };
 }
 
-function makeSelect(place: HTMLElement, parameter: Parameter, set: SetValue): Control {
+function makeSelect(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
   const select = element('select', '');
   const label = labelFor(select, parameter.label);
   const reason = reasonFor(place);
   for (const choice of parameter.choices) select.add(new Option(choice.label, choice.id));
-  select.addEventListener('change', () => set(parameter.id, select.value));
+  select.addEventListener('change', () => setter.set(parameter.id, select.value));
   const frame = element('div', 'choose');
   frame.append(select);
   place.dataset['kind'] = 'select';
@@ -88,24 +94,30 @@ function makeSelect(place: HTMLElement, parameter: Parameter, set: SetValue): Co
   };
 }
 
-function makeRange(place: HTMLElement, parameter: Parameter, set: SetValue): Control {
+function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
   const input = element('input', '');
   input.type = 'range';
   const label = labelFor(input, parameter.label);
   const output = element('output', '');
   output.htmlFor.add(input.id);
   const reason = reasonFor(place);
-  input.addEventListener('input', () => set(parameter.id, input.valueAsNumber));
+  let dragging = false;
+  input.addEventListener('input', () => {
+    if (!dragging) setter.gesture((dragging = true));
+    setter.set(parameter.id, input.valueAsNumber);
+  });
+  input.addEventListener('change', () => setter.gesture((dragging = false)));
   place.replaceChildren(label, input, output, reason.element);
   return {
     id: parameter.id,
     update(now) {
       const value = Number(now.value);
-      input.min = String(now.min);
-      input.max = String(now.max);
-      input.step = now.step > 0 ? String(now.step) : 'any';
+      const [min, max] = [now.min ?? 0, Math.max(now.softMax ?? now.max ?? 1, value)];
+      input.min = String(min);
+      input.max = String(max);
+      input.step = now.step ? String(now.step) : 'any';
       input.value = String(value);
-      const share = now.max > now.min ? (value - now.min) / (now.max - now.min) : 0;
+      const share = max > min ? (value - min) / (max - min) : 0;
       input.style.setProperty('--share', `${100 * Math.min(1, Math.max(0, share))}%`);
       const text = format(now);
       if (output.value !== text) output.value = text;
@@ -118,12 +130,12 @@ function makeRange(place: HTMLElement, parameter: Parameter, set: SetValue): Con
   };
 }
 
-function makeSwitch(place: HTMLElement, parameter: Parameter, set: SetValue): Control {
+function makeSwitch(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
   const button = element('button', 'switch', parameter.label);
   button.type = 'button';
   button.setAttribute('role', 'switch');
   const reason = reasonFor(place);
-  button.addEventListener('click', () => set(parameter.id, button.getAttribute('aria-checked') !== 'true'));
+  button.addEventListener('click', () => setter.set(parameter.id, button.getAttribute('aria-checked') !== 'true'));
   place.replaceChildren(button, reason.element);
   return {
     id: parameter.id,
@@ -143,8 +155,8 @@ export function format(parameter: Pick<Parameter, 'value' | 'step' | 'unit' | 'k
   return parameter.unit ? `${number}\u00a0${parameter.unit}` : number;
 }
 
-export function decimalsOf(step: number): number {
-  if (!(step > 0)) return 2;
+export function decimalsOf(step: number | null): number {
+  if (!step) return 2;
   let decimals = 0;
   while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-9) ++decimals;
   return decimals;

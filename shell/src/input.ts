@@ -1,7 +1,7 @@
 import { Device, PointerKind, type Bridge } from './bridge';
 
 /// Pointer, wheel and key events of the canvas, handed to the module. What they mean is decided there.
-export function listen(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: () => void): void {
+export function listen(canvas: HTMLCanvasElement, bridge: Bridge): void {
   const position = (event: MouseEvent): [x: number, y: number] => {
     const rect = canvas.getBoundingClientRect();
     return [event.clientX - rect.left, event.clientY - rect.top];
@@ -16,7 +16,6 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: 
     if (used && event.cancelable) event.preventDefault();
     const cursor = bridge.cursor();
     if (canvas.style.cursor !== cursor) canvas.style.cursor = cursor;
-    requestFrame();
   };
 
   canvas.addEventListener('pointerdown', (event) => {
@@ -39,33 +38,26 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: 
       const unit = wheelUnit(event.deltaMode, canvas.clientHeight);
       const [x, y] = position(event);
       bridge.wheel(event.deltaX * unit, event.deltaY * unit, x, y, modifiersOf(event));
-      requestFrame();
     },
     { passive: false },
   );
-  listenToGestures(canvas, bridge, requestFrame);
+  listenToGestures(canvas, bridge);
 
   canvas.addEventListener('keydown', (event) => {
     if (event.isComposing) return;
     const used = bridge.key(true, event.key, modifiersOf(event));
-    if (event.key.length === 1 && !event.ctrlKey && !event.metaKey && !event.altKey) bridge.text(event.key);
     if (used && event.key !== 'Tab') event.preventDefault();
-    requestFrame();
   });
   canvas.addEventListener('keyup', (event) => {
     bridge.key(false, event.key, modifiersOf(event));
-    requestFrame();
   });
   for (const focused of [true, false]) {
-    canvas.addEventListener(focused ? 'focus' : 'blur', () => {
-      bridge.focus(focused);
-      requestFrame();
-    });
+    canvas.addEventListener(focused ? 'focus' : 'blur', () => bridge.focus(focused));
   }
 }
 
 /// Safari's pinch on a trackpad comes as gesture events, not as a wheel with Ctrl.
-function listenToGestures(canvas: HTMLCanvasElement, bridge: Bridge, requestFrame: () => void): void {
+function listenToGestures(canvas: HTMLCanvasElement, bridge: Bridge): void {
   let scale = 1;
   canvas.addEventListener('gesturestart', (event) => {
     event.preventDefault();
@@ -78,7 +70,6 @@ function listenToGestures(canvas: HTMLCanvasElement, bridge: Bridge, requestFram
     const delta = -100 * Math.log(gesture.scale / scale);
     scale = gesture.scale;
     bridge.wheel(0, delta, gesture.clientX - rect.left, gesture.clientY - rect.top, modifier.ctrl);
-    requestFrame();
   });
 }
 

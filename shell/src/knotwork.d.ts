@@ -18,9 +18,12 @@ export interface Parameter {
   readonly label: string;
   readonly group: string;
   readonly kind: 'number' | 'integer' | 'choice' | 'toggle';
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
+  /// null for a choice or a toggle.
+  readonly min: number | null;
+  readonly max: number | null;
+  /// Where sliders end: beyond it lie values for those who ask for them.
+  readonly softMax: number | null;
+  readonly step: number | null;
   readonly unit: string;
   readonly choices: readonly Choice[];
   readonly value: number | string | boolean;
@@ -70,6 +73,7 @@ export interface Stats {
   readonly frameMs: number;
 }
 
+/// A chapter of the page, and the rows of the table that it is about.
 export interface ChapterRow {
   readonly id: string;
   readonly title: string;

@@ -10,17 +10,25 @@ export class LoadError extends Error {
     readonly reason: 'unsupported' | 'download' | 'script',
     options?: ErrorOptions,
   ) {
-    super(reason, options);
+    super(
+      reason === 'unsupported' ? 'this browser has no WebAssembly' : 'the module could not be downloaded',
+      options,
+    );
   }
 }
 
 /// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come.
-export async function loadModule(canvas: HTMLCanvasElement, onShare: (share: number) => void): Promise<EmscriptenModule> {
+export async function loadModule(
+  canvas: HTMLCanvasElement,
+  onFrameNeeded: () => void,
+  onShare: (share: number) => void,
+): Promise<EmscriptenModule> {
   if (typeof WebAssembly !== 'object') throw new LoadError('unsupported');
   const [{ default: create }, compiled] = await Promise.all([fetchScript(), compile(onShare)]);
   return new Promise((resolve, reject) => {
     create({
       canvas,
+      onFrameNeeded,
       instantiateWasm: (imports, done) => {
         WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled), reject);
         return {};

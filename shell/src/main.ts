@@ -17,47 +17,45 @@ const canvas = document.getElementById('canvas') as HTMLCanvasElement;
 let stage: Stage | null = null;
 let page: Page | null = null;
 
-const api = new ScriptInterface(canvas, () => {
-  page?.update();
-  stage?.request();
-});
+const api = new ScriptInterface(canvas, () => page?.update());
 followSections([...document.querySelectorAll<HTMLAnchorElement>('.marks a')]);
 void begin();
 
 async function begin(): Promise<void> {
   showProgress(0);
   try {
-    const [module, fonts] = await Promise.all([loadModule(canvas, showProgress), loadStageFonts()]);
-    const bridge = new Bridge(module);
-    if (fonts) {
-      bridge.font(fonts[0], 400);
-      bridge.font(fonts[1], 600);
-    }
-    start(bridge);
+    const [module, fonts] = await Promise.all([
+      loadModule(canvas, () => stage?.request(), showProgress),
+      loadStageFonts(),
+    ]);
+    start(new Bridge(module), fonts);
   } catch (error) {
     fail(error instanceof LoadError ? error.reason : 'failed', error);
   }
 }
 
-function start(bridge: Bridge): void {
-  const drawn = (): void => {
-    page?.sync(performance.now());
-  };
-  stage = new Stage(canvas, bridge, drawn);
-  stage.prepare();
+function start(bridge: Bridge, fonts: [Uint8Array, Uint8Array] | null): void {
   if (!bridge.start('#canvas')) {
     fail('webgl', new Error('WebGL2 is not available'));
     return;
   }
-  page = new Page(bridge, () => stage?.request(), canvas);
-  listen(canvas, bridge, () => stage?.request());
-  stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
+  if (fonts) {
+    bridge.font(fonts[0], 400);
+    bridge.font(fonts[1], 600);
+  }
+  page = new Page(bridge, canvas);
+  stage = new Stage(canvas, bridge, (now) => page?.sync(now));
+  listen(canvas, bridge);
   api.attach(bridge);
+  stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
-  requestAnimationFrame(() => {
-    raise();
-    api.settle();
-  });
+  // The size's observer has drawn the first frame by then.
+  requestAnimationFrame(() =>
+    requestAnimationFrame(() => {
+      raise();
+      api.settle();
+    }),
+  );
 }
 
 /// A download can be tried again in place; a script that failed to load stays failed until the page is loaded anew.

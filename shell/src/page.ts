@@ -1,6 +1,6 @@
 import { fulfilled, parseAction, run, type Action } from './actions';
 import type { Bridge } from './bridge';
-import { element, makeControl, type Control } from './controls';
+import { element, makeControl, type Control, type Setter } from './controls';
 import { HistoryControls } from './history';
 import type { Parameter } from './knotwork';
 import { PatchList } from './patches';
@@ -15,33 +15,34 @@ export class Page {
   private readonly history: HistoryControls;
   private readonly notice = document.getElementById('notice')!;
   private readonly bridge: Bridge;
-  private readonly requestFrame: () => void;
   private revision = -1;
   private lastNotice = '';
   private lastUpdate = 0;
   private late = 0;
 
-  constructor(bridge: Bridge, requestFrame: () => void, canvas: HTMLCanvasElement) {
+  constructor(bridge: Bridge, canvas: HTMLCanvasElement) {
     this.bridge = bridge;
-    this.requestFrame = requestFrame;
-    const set = (id: string, value: number | string | boolean): void => this.attempt(() => bridge.set(id, value));
+    const setter: Setter = {
+      set: (id, value) => this.attempt(() => bridge.set(id, value)),
+      gesture: (open) => this.attempt(() => bridge.gesture(open)),
+    };
 
     const rows = new Map(bridge.parameters().map((row) => [row.id, row]));
     this.makeSettings(rows);
     for (const place of document.querySelectorAll<HTMLElement>('[data-parameter]')) {
       const row = rows.get(place.dataset['parameter']!);
-      if (row) this.controls.push(makeControl(place, row, set));
+      if (row) this.controls.push(makeControl(place, row, setter));
       else place.remove();
     }
     for (const phrase of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
       const action = parseAction(phrase.dataset['run']!);
-      phrase.addEventListener('click', () => this.attempt(() => run(action, bridge)));
+      phrase.addEventListener('click', () => this.attemptAsOne(() => run(action, bridge)));
       phrase.disabled = false;
       this.phrases.push([phrase, action]);
     }
     for (const place of document.querySelectorAll<HTMLElement>('[data-report]')) {
       const setBoth = (u: string, v: string): void =>
-        this.attempt(() => {
+        this.attemptAsOne(() => {
           bridge.set('topology.u', u);
           bridge.set('topology.v', v);
         });
@@ -102,7 +103,18 @@ export class Page {
       this.announce(error instanceof Error ? error.message : String(error));
     }
     this.update();
-    this.requestFrame();
+  }
+
+  /// The same as one step of undo, whatever it consists of.
+  private attemptAsOne(commands: () => void): void {
+    this.attempt(() => {
+      this.bridge.gesture(true);
+      try {
+        commands();
+      } finally {
+        this.bridge.gesture(false);
+      }
+    });
   }
 
   /// Rows that no chapter shows, folded by group at the foot of the page.

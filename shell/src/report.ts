@@ -5,14 +5,23 @@ import type { Direction, State } from './bridge';
 
 type Topology = 'open' | 'closed';
 
+/// One direction of one row: what a cell shows.
+export interface Counts {
+  topology: Topology;
+  domain: string;
+  knots: number;
+  patches: number;
+  locals: number;
+}
+
 export interface Row {
-  u: Direction;
-  v: Direction;
+  u: Counts;
+  v: Counts;
   shape: 'plane' | 'cylinder' | 'torus';
   current: boolean;
 }
 
-export function direction(letter: 'u' | 'v', topology: Topology, locals: number): Direction {
+export function direction(letter: 'u' | 'v', topology: Topology, locals: number): Counts {
   const closed = topology === 'closed';
   const last = subscript(closed ? locals + 1 : locals);
   return {
@@ -30,12 +39,16 @@ export function rows(state: Pick<State, 'u' | 'v'>): Row[] {
     const current = state.u.topology === u && state.v.topology === v;
     const closed = Number(u === 'closed') + Number(v === 'closed');
     return {
-      u: current ? state.u : direction('u', u, state.u.locals),
-      v: current ? state.v : direction('v', v, state.v.locals),
+      u: current ? countsOf(state.u) : direction('u', u, state.u.locals),
+      v: current ? countsOf(state.v) : direction('v', v, state.v.locals),
       shape: (['plane', 'cylinder', 'torus'] as const)[closed]!,
       current,
     };
   });
+}
+
+function countsOf({ topology, domain, knots, patches, locals }: Direction): Counts {
+  return { topology, domain, knots: knots.length, patches, locals };
 }
 
 export function subscript(number: number): string {

@@ -7,24 +7,18 @@ export class Stage {
   private present = true;
   private readonly canvas: HTMLCanvasElement;
   private readonly bridge: Bridge;
-  private readonly afterFrame: () => void;
+  private readonly afterFrame: (now: number) => void;
 
-  constructor(canvas: HTMLCanvasElement, bridge: Bridge, afterFrame: () => void) {
+  constructor(canvas: HTMLCanvasElement, bridge: Bridge, afterFrame: (now: number) => void) {
     this.canvas = canvas;
     this.bridge = bridge;
     this.afterFrame = afterFrame;
   }
 
-  /// Sizes the canvas and tells the module about the reader's settings. Before knotwork_start, and once.
-  prepare(): void {
-    const rect = this.canvas.getBoundingClientRect();
-    this.resize(rect.width, rect.height, rect.width * devicePixelRatio, rect.height * devicePixelRatio);
-    follow('(prefers-color-scheme: dark)', (dark) => this.tell(() => this.bridge.scheme(dark)));
-    follow('(prefers-reduced-motion: reduce)', (reduced) => this.tell(() => this.bridge.reducedMotion(reduced)));
-  }
-
-  /// After knotwork_start: follows the canvas's size, the page's visibility and the context's fate.
+  /// Follows the canvas's size, the reader's settings, the page's visibility and the context's fate.
   watch(onContext: (present: boolean) => void): void {
+    follow('(prefers-color-scheme: dark)', (dark) => this.bridge.scheme(dark));
+    follow('(prefers-reduced-motion: reduce)', (reduced) => this.bridge.reducedMotion(reduced));
     this.watchSize();
     document.addEventListener('visibilitychange', () => {
       if (!document.hidden) this.request();
@@ -54,12 +48,7 @@ export class Stage {
   private draw(now: number): void {
     this.pending = 0;
     if (this.bridge.frame(now)) this.request();
-    this.afterFrame();
-  }
-
-  private tell(change: () => void): void {
-    change();
-    this.request();
+    this.afterFrame(now);
   }
 
   private watchSize(): void {
@@ -67,11 +56,7 @@ export class Stage {
       if (!entry) return;
       const { width, height } = entry.contentRect;
       const device = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-      this.resize(
-        width, height,
-        device?.inlineSize ?? width * devicePixelRatio,
-        device?.blockSize ?? height * devicePixelRatio,
-      );
+      this.bridge.resize(width, height, device && width > 0 ? device.inlineSize / width : devicePixelRatio);
       // A resized canvas is blank: fill it within this very frame.
       if (this.present) this.draw(performance.now());
     });
@@ -92,13 +77,6 @@ export class Stage {
       };
       followRatio();
     }
-  }
-
-  private resize(width: number, height: number, deviceWidth: number, deviceHeight: number): void {
-    const [w, h] = [Math.max(1, Math.round(deviceWidth)), Math.max(1, Math.round(deviceHeight))];
-    if (this.canvas.width !== w) this.canvas.width = w;
-    if (this.canvas.height !== h) this.canvas.height = h;
-    this.bridge.resize(width, height, width > 0 ? w / width : devicePixelRatio);
   }
 }
 
