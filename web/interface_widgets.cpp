@@ -16,9 +16,12 @@ constexpr float inset = 2;            ///< of the chosen segment in its track
 
 ImFont* font_of(const Interface& ui, Face face) {
   switch (face) {
-    case Face::bold: return ui.fonts.bold;
-    case Face::small: return ui.fonts.small;
-    case Face::regular: break;
+    case Face::bold:
+      return ui.fonts.bold;
+    case Face::small:
+      return ui.fonts.small;
+    case Face::regular:
+      break;
   }
   return ui.fonts.regular;
 }
@@ -76,11 +79,29 @@ void outline(ImDrawList& list, const Rect& rect, ImU32 ink, float rounding, floa
                rounding - half, 0, thickness);
 }
 
+/// A field whose short sides are half circles; ImGui's own rounding stops short of that.
+void capsule_path(ImDrawList& list, const Rect& rect) {
+  const float radius = rect.height / 2, y = rect.y + radius;
+  list.PathArcTo({rect.x + radius, y}, radius, pi / 2, 3 * pi / 2);
+  list.PathArcTo({rect.x + rect.width - radius, y}, radius, -pi / 2, pi / 2);
+}
+
+void fill_capsule(ImDrawList& list, const Rect& rect, ImU32 ink) {
+  capsule_path(list, rect);
+  list.PathFillConvex(ink);
+}
+
+void outline_capsule(ImDrawList& list, const Rect& rect, ImU32 ink) {
+  capsule_path(list, {rect.x + 0.5F, rect.y + 0.5F, rect.width - 1, rect.height - 1});
+  list.PathStroke(ink, ImDrawFlags_Closed, 1);
+}
+
 /// A polyline given on a grid of 16 x 16 that is centred at `centre`.
 template <std::size_t n>
 void strokes(ImDrawList& list, ImVec2 centre, float unit, const std::array<ImVec2, n>& points, ImU32 ink,
              float thickness) {
-  for (const ImVec2& point : points) list.PathLineTo({centre.x + (point.x - 8) * unit, centre.y + (point.y - 8) * unit});
+  for (const ImVec2& point : points)
+    list.PathLineTo({centre.x + (point.x - 8) * unit, centre.y + (point.y - 8) * unit});
   list.PathStroke(ink, 0, thickness);
 }
 
@@ -180,7 +201,8 @@ void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float 
     const float out = static_cast<float>(ring) + 0.5F;
     const float fall = 1 - out / reach;
     // The light comes from above: the shadow lies a little lower.
-    list.AddRect({card.x - out, card.y - out + 0.3F * out}, {card.x + card.width + out, card.y + card.height + 1.3F * out},
+    list.AddRect({card.x - out, card.y - out + 0.3F * out},
+                 {card.x + card.width + out, card.y + card.height + 1.3F * out},
                  colour(shade, 4 * strength * fall * fall), rounding + out, 0, 1.35F);
   }
 }
@@ -244,9 +266,9 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
   std::vector<Rect> places;
   float x = rect.x + inset;
   for (const Segment& segment : segments) {
-    const float width = text_width(ui, Face::bold, segment.label) + 2 * segment_padding + spare;
-    places.push_back({x, rect.y, width, rect.height});
-    x += width;
+    const float end = x + text_width(ui, Face::bold, segment.label) + 2 * segment_padding + spare;
+    places.push_back({std::round(x), rect.y, std::round(end) - std::round(x), rect.height});
+    x = end;
   }
 
   std::optional<std::size_t> clicked;
@@ -273,8 +295,8 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
     const float chosen = eased(ui, id_of(segment.widget + "#chosen"), segment.chosen ? 1.0F : 0.0F);
     const bool refused = !segment.refusal.empty() && !segment.chosen;
     Colour ink = mixed(mixed(theme.ink_soft, theme.ink, refused ? 0 : warm), theme.paper, chosen);
-    text(ui, segment.chosen ? Face::bold : Face::regular, places[i].centre(), colour(ink, refused ? 0.5F : 1), segment.label,
-         Align::centre);
+    text(ui, segment.chosen ? Face::bold : Face::regular, places[i].centre(), colour(ink, refused ? 0.5F : 1),
+         segment.label, Align::centre);
   }
   return clicked;
 }
@@ -289,7 +311,8 @@ double SliderScale::value_at(double share) const {
 
 double SliderScale::share_of(double value) const {
   if (!(max > min)) return 0;
-  const double share = logarithmic ? std::log(std::max(value, min) / min) / std::log(max / min) : (value - min) / (max - min);
+  const double share =
+      logarithmic ? std::log(std::max(value, min) / min) / std::log(max / min) : (value - min) / (max - min);
   return std::clamp(share, 0.0, 1.0);
 }
 
@@ -322,12 +345,12 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
   const float warm = enabled ? warmth(ui, id, press) : 0;
   const float held = eased(ui, id_of(std::string(id) + "#held"), press.held && enabled ? 1.0F : 0.0F);
   const float opacity = enabled ? 1 : 0.35F;
-  const float y = std::round(rect.y + rect.height / 2);
+  const float y = std::floor(rect.y + rect.height / 2) + 0.5F;  // three pixels' middle, so that the track is crisp
   const float x = start + length * static_cast<float>(scale.share_of(event.value));
   const Colour ink = mixed(theme.ink, theme.accent, held);
   const float half = 1.5F;
-  list.AddRectFilled({rect.x + 1, y - half}, {rect.x + rect.width - 1, y + half}, colour(theme.ink, theme.dark ? 0.16F : 0.12F), half);
-  list.AddRectFilled({rect.x + 1, y - half}, {x, y + half}, colour(ink, opacity), half);
+  fill_capsule(list, {rect.x + 1, y - half, rect.width - 2, 2 * half}, colour(theme.ink, theme.dark ? 0.16F : 0.12F));
+  fill_capsule(list, {rect.x + 1, y - half, x - rect.x, 2 * half}, colour(ink, opacity));
   list.AddCircleFilled({x, y}, radius + 5 * std::max(warm * 0.6F, held), colour(ink, 0.1F * std::max(warm, held)));
   list.AddCircleFilled({x, y}, radius, colour(mixed(theme.ink, ink, held), 1));
   if (!enabled) list.AddCircleFilled({x, y}, radius, colour(theme.panel, 0.6F));
@@ -341,10 +364,10 @@ bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view
   const Press press = press_area(ui, id, rect);
   const float warm = enabled ? warmth(ui, id, press) : 0;
   const float lit = eased(ui, id_of(std::string(id) + "#lit"), on ? 1.0F : 0.0F);
-  const float rounding = rect.height / 2, opacity = enabled ? 1 : 0.4F;
+  const float opacity = enabled ? 1 : 0.4F;
   const Rect field = ui.touch ? Rect{rect.x, rect.y + 4, rect.width, rect.height - 8} : rect;
-  fill(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity), rounding);
-  outline(list, field, colour(mixed(theme.rule, theme.ink_soft, 0.25F + warm * 0.5F), (1 - lit) * opacity), rounding);
+  fill_capsule(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity));
+  outline_capsule(list, field, colour(mixed(theme.rule, theme.ink_soft, 0.25F + warm * 0.5F), (1 - lit) * opacity));
   const Colour ink = mixed(mixed(theme.ink_soft, theme.ink, warm), theme.paper, lit);
   text(ui, Face::small, rect.centre(), colour(ink, opacity), label, Align::centre);
   return press.clicked && enabled;
@@ -358,7 +381,8 @@ bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   list.AddCircleFilled(rect.centre(), std::min(rect.width, rect.height) / 2 - 1, colour(ui.theme.ink, 0.08F * warm));
   const Colour ink = press.held && enabled ? ui.theme.accent : mixed(ui.theme.ink_soft, ui.theme.ink, warm);
   draw_icon(list, icon, rect.centre(), ui.touch ? 1.15F : 1, colour(ink, strength));
-  if (press.hovered && !press.held && !ui.touch) ui.hint = Widget{std::string(hint), {rect.x, rect.y, rect.width, rect.height}};
+  if (press.hovered && !press.held && !ui.touch)
+    ui.hint = Widget{std::string(hint), {rect.x, rect.y, rect.width, rect.height}};
   return press.clicked && enabled;
 }
 
@@ -376,7 +400,8 @@ bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool play
       list.AddRectFilled({centre.x + x, centre.y - 6.5F}, {centre.x + x + 4, centre.y + 6.5F}, ink, 1.2F);
   } else {
     // The triangle's centre of mass, not that of its box, sits in the disc's centre. A stroke rounds its corners.
-    const std::array<ImVec2, 3> corners{{{centre.x - 4, centre.y - 6.2F}, {centre.x + 7, centre.y}, {centre.x - 4, centre.y + 6.2F}}};
+    const std::array<ImVec2, 3> corners{
+        {{centre.x - 4, centre.y - 6.2F}, {centre.x + 7, centre.y}, {centre.x - 4, centre.y + 6.2F}}};
     list.AddTriangleFilled(corners[0], corners[1], corners[2], ink);
     list.AddPolyline(corners.data(), 3, ink, ImDrawFlags_Closed, 1.5F);
   }
@@ -391,7 +416,7 @@ bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   list.PushClipRectFullScreen();
   soft_shadow(ui, list, field, field.height / 2, 0.5F);
   list.PopClipRect();
-  fill(list, field, colour(mixed(ui.theme.panel, ui.theme.ink, 0.06F * warm), 0.96F), field.height / 2);
+  fill_capsule(list, field, colour(mixed(ui.theme.panel, ui.theme.ink, 0.06F * warm), 0.96F));
   draw_icon(list, icon, {field.x + 20, field.y + field.height / 2}, 0.95F, colour(ui.theme.ink));
   text(ui, Face::bold, {field.x + 34, field.y + field.height / 2}, colour(ui.theme.ink), label);
   return press.clicked;
@@ -432,12 +457,14 @@ bool menu_item(Interface& ui, std::string_view id, const Rect& rect, std::string
   const Colour ink = chosen ? theme.paper : mixed(theme.ink_soft, theme.ink, 0.5F + 0.5F * warm);
   text(ui, chosen ? Face::bold : Face::regular, {rect.x + 10, rect.y + rect.height / 2},
        colour(ink, refusal.empty() ? 1 : 0.5F), label);
-  if (press.hovered && !refusal.empty()) ui.hint = Widget{std::string(refusal), {rect.x, rect.y, rect.width, rect.height}};
+  if (press.hovered && !refusal.empty())
+    ui.hint = Widget{std::string(refusal), {rect.x, rect.y, rect.width, rect.height}};
   if (curve.size() > 1) {
     const float width = 34, height = std::min(rect.height - 14, 18.0F);
     const float x = rect.x + rect.width - width - 10, y = rect.y + (rect.height + height) / 2;
     for (std::size_t i = 0; i < curve.size(); ++i)
-      list.PathLineTo({x + width * static_cast<float>(i) / static_cast<float>(curve.size() - 1), y - height * curve[i]});
+      list.PathLineTo(
+          {x + width * static_cast<float>(i) / static_cast<float>(curve.size() - 1), y - height * curve[i]});
     list.PathStroke(colour(theme.local[1]), 0, 1.5F);
   }
   return press.clicked;
@@ -449,7 +476,8 @@ void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blen
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Rect area{rect.x + 1, rect.y + 4, rect.width - 2, rect.height - 8};
   const auto at = [&](double share, double value) {
-    return ImVec2{area.x + area.width * static_cast<float>(share), area.y + area.height * static_cast<float>(1 - value)};
+    return ImVec2{area.x + area.width * static_cast<float>(share),
+                  area.y + area.height * static_cast<float>(1 - value)};
   };
 
   std::array<double, count> where{};
@@ -494,8 +522,7 @@ void draw_hint(Interface& ui, const Rect& stage) {
   const float size = size_of(ui, Face::small);
   const std::string& words = ui.hint->label;
   const float wrap = std::min(220.0F, stage.width - 48);
-  const ImVec2 extent =
-      ui.fonts.small->CalcTextSizeA(size, FLT_MAX, wrap, words.data(), words.data() + words.size());
+  const ImVec2 extent = ui.fonts.small->CalcTextSizeA(size, FLT_MAX, wrap, words.data(), words.data() + words.size());
   Rect box{0, 0, std::ceil(extent.x) + 18, std::ceil(extent.y) + 12};
   box.x = std::round(static_cast<float>(item[0] + item[2] / 2) - box.width / 2);
   box.x = std::clamp(box.x, stage.x + 8, std::max(stage.x + 8, stage.x + stage.width - box.width - 8));

@@ -18,9 +18,9 @@ using scene::ParameterKind;
 // Every word of the interface that is not in the parameter table.
 namespace words {
 constexpr std::string_view title = "Blending surface", controls = "Controls", more = "Display, sampling, motion",
-                           undo = "Undo", redo = "Redo", reset = "Put all patches back", frame = "Show the whole surface",
-                           domain = "domain", knots = "knots", patches = "patches", locals = "locals",
-                           selected = "patch";
+                           undo = "Undo", redo = "Redo", reset = "Put all patches back",
+                           frame = "Show the whole surface", domain = "domain", knots = "knots", patches = "patches",
+                           locals = "locals", selected = "patch";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
@@ -30,11 +30,11 @@ constexpr std::array<std::string_view, 6> first_rows{"topology.u", "topology.v",
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
-constexpr float padding = 16;         ///< inside the card
-constexpr float combo_margin = 40;    ///< beside the words of a closed list
-constexpr float clock_height = 64;    ///< from the stage's foot to the clock's upper edge
-constexpr float wide_stage = 660;     ///< from here on there is room for the wide card
-constexpr float tall_stage = 820;     ///< from here on the report's table is always in view
+constexpr float padding = 16;       ///< inside the card
+constexpr float combo_margin = 40;  ///< beside the words of a closed list
+constexpr float clock_height = 64;  ///< from the stage's foot to the clock's upper edge
+constexpr float wide_stage = 660;   ///< from here on there is room for the wide card
+constexpr float tall_stage = 820;   ///< from here on the report's table is always in view
 
 struct Frame {
   PanelState& state;
@@ -148,9 +148,8 @@ void number_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   const std::string reason = why_disabled(frame, parameter);
   const bool enabled = reason.empty();
   const double value = number(frame, parameter);
-  const SliderEvent event =
-      slider(frame.ui, parameter.id, {row.x + labels, row.y, row.width - labels - values, height}, scale_of(frame, parameter, value),
-             value, enabled);
+  const SliderEvent event = slider(frame.ui, parameter.id, {row.x + labels, row.y, row.width - labels - values, height},
+                                   scale_of(frame, parameter, value), value, enabled);
   take_slider(frame, parameter, event);
 
   const float middle = row.y + height / 2, strength = enabled ? 1 : 0.5F;
@@ -161,7 +160,17 @@ void number_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   column.y += height;
 }
 
-// The list of a combo.
+/// Rows that go on below the edge fade into it.
+void fade_foot(Frame& frame, const Rect& card, float rounding) {
+  if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) return;
+  const ImU32 clear = colour(frame.input.theme.panel, 0), full = colour(frame.input.theme.panel, 1);
+  const float foot = card.y + card.height, solid = rounding > 0 ? rounding : 4;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilledMultiColor({card.x + 1, foot - solid - 24}, {card.x + card.width - 9, foot - solid}, clear, clear,
+                               full, full);
+  list.AddRectFilled({card.x + 1, foot - solid}, {card.x + card.width - 9, foot}, full, rounding,
+                     ImDrawFlags_RoundCornersBottomLeft);
+}
 
 /// Scrolls the current window with a finger; ImGui itself knows only wheels and bars.
 void scroll_by_finger(Frame& frame, std::string_view window) {
@@ -174,7 +183,8 @@ void scroll_by_finger(Frame& frame, std::string_view window) {
   constexpr float slop = 6;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && !frame.state.slider_held && ImGui::GetScrollMaxY() > 0) {
     if (std::abs(pointer.y - finger.start) > slop) finger.moving = true;
-    if (finger.moving) ImGui::SetScrollY(std::clamp(finger.scroll_at_start - (pointer.y - finger.start), 0.0F, ImGui::GetScrollMaxY()));
+    if (finger.moving)
+      ImGui::SetScrollY(std::clamp(finger.scroll_at_start - (pointer.y - finger.start), 0.0F, ImGui::GetScrollMaxY()));
   }
 }
 
@@ -185,7 +195,8 @@ std::vector<float> thumbnail(std::string_view family) {
   const Result<BlendingFunction> function = BlendingFunction::make(row->kind, row->parameter_default);
   if (!function) return curve;
   constexpr int steps = 24;
-  for (int i = 0; i <= steps; ++i) curve.push_back(static_cast<float>(function.value()(static_cast<double>(i) / steps)[0]));
+  for (int i = 0; i <= steps; ++i)
+    curve.push_back(static_cast<float>(function.value()(static_cast<double>(i) / steps)[0]));
   return curve;
 }
 
@@ -199,7 +210,8 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
     width = std::max(width, text_width(ui, Face::bold, option.label) + (curves ? 84.0F : 40.0F));
   width = std::min(width, frame.stage.width - 16);
   const float wanted = item * static_cast<float>(parameter.choices.size()) + 2 * edge;
-  Rect box{button.x + button.width - width, button.y + button.height + 4, width, std::min(wanted, frame.stage.height - 16)};
+  Rect box{button.x + button.width - width, button.y + button.height + 4, width,
+           std::min(wanted, frame.stage.height - 16)};
   box.y = std::clamp(box.y, 8.0F, std::max(8.0F, frame.stage.height - 8 - box.height));
   box.x = std::max(box.x, 8.0F);
 
@@ -213,8 +225,8 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   list.PushClipRectFullScreen();
   soft_shadow(ui, list, box, 10);
   list.AddRectFilled(box.min(), box.max(), colour(ui.theme.panel), 10);
-  list.AddRect({box.x + 0.5F, box.y + 0.5F}, {box.x + box.width - 0.5F, box.y + box.height - 0.5F}, colour(ui.theme.rule),
-               9.5F);
+  list.AddRect({box.x + 0.5F, box.y + 0.5F}, {box.x + box.width - 0.5F, box.y + box.height - 0.5F},
+               colour(ui.theme.rule), 9.5F);
   list.PopClipRect();
   if (ui.touch) scroll_by_finger(frame, popup);
 
@@ -223,12 +235,17 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
     for (const scene::Choice& option : parameter.choices) frame.state.thumbnails.push_back(thumbnail(option.id));
   }
   const std::string present = choice(frame, parameter);
+  const bool scrolls = wanted > box.height;
+  const float items = box.width - 2 * edge - (scrolls ? ImGui::GetStyle().ScrollbarSize - 2 : 0);
   float y = box.y + edge - ImGui::GetScrollY();
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const scene::Choice& option = parameter.choices[i];
     const std::string id = std::string(parameter.id) + ": " + option.id;
-    const std::span<const float> curve = curves ? std::span<const float>(frame.state.thumbnails[i]) : std::span<const float>();
-    if (menu_item(ui, id, {box.x + edge, y, box.width - 2 * edge, item}, option.label, option.id == present,
+    const std::span<const float> curve =
+        curves ? std::span<const float>(frame.state.thumbnails[i]) : std::span<const float>();
+    if (scrolls && option.id == present && ImGui::IsWindowAppearing())
+      ImGui::SetScrollY(y - box.y - (box.height - item) / 2);
+    if (menu_item(ui, id, {box.x + edge, y, items, item}, option.label, option.id == present,
                   scene::refused_choice(frame.input.document, parameter, option.id), curve)) {
       if (option.id != present) set(frame, parameter, option.id);
       ImGui::CloseCurrentPopup();
@@ -237,6 +254,7 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   }
   ImGui::SetCursorScreenPos({box.x, y});
   ImGui::Dummy({1, edge});
+  fade_foot(frame, box, 10);
   ImGui::EndPopup();
 }
 
@@ -244,8 +262,9 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   const std::string present = choice(frame, parameter);
   std::vector<Segment> segments;
   for (const scene::Choice& option : parameter.choices)
-    segments.push_back({option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
-                        option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
+    segments.push_back(
+        {option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
+         option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
 
   const float height = row_height(frame), gap = frame.ui.touch ? 4 : 6;
   float needed = segmented_width(frame.ui, segments);
@@ -268,7 +287,8 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
     std::string name = present;
     for (const scene::Choice& option : parameter.choices)
       if (option.id == present) name = option.label;
-    if (combo_button(frame.ui, parameter.id, rect, name, ImGui::IsPopupOpen(popup.c_str()))) ImGui::OpenPopup(popup.c_str());
+    if (combo_button(frame.ui, parameter.id, rect, name, ImGui::IsPopupOpen(popup.c_str())))
+      ImGui::OpenPopup(popup.c_str());
     choice_list(frame, parameter, rect);
   } else if (const auto clicked = segmented(frame.ui, parameter.id, rect, segments)) {
     if (!segments[*clicked].chosen) set(frame, parameter, parameter.choices[*clicked].id);
@@ -330,7 +350,8 @@ void plot_row(Frame& frame, Column& column) {
     right = text_of("%.2f", b) + "  " + right;
     text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), "w " + text_of("%.2f", *w), Align::centre);
   } else {
-    ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4}, colour(theme.ink, 0.12F), 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4},
+                                              colour(theme.ink, 0.12F), 2);
     text(frame.ui, Face::small, {centre + 1, middle}, colour(theme.ink_soft), "B′");
   }
   text(frame.ui, Face::small, {column.x, middle}, first, left);
@@ -348,8 +369,8 @@ void table(Frame& frame, Column& column) {
   const std::array<std::string_view, 4> heads{words::domain, words::knots, words::patches, words::locals};
   const float first = column.x + 20;
   for (std::size_t k = 0; k < heads.size(); ++k)
-    text(frame.ui, Face::small, {k == 0 ? first : column.x + ends[k] * width, column.y + 8}, colour(theme.ink_soft), heads[k],
-         k == 0 ? Align::left : Align::right);
+    text(frame.ui, Face::small, {k == 0 ? first : column.x + ends[k] * width, column.y + 8}, colour(theme.ink_soft),
+         heads[k], k == 0 ? Align::left : Align::right);
   column.y += line;
 
   const auto row = [&](std::string_view letter, int locals, Topology topology) {
@@ -358,19 +379,21 @@ void table(Frame& frame, Column& column) {
     const KnotVector& knots = made.value();
     const auto subscript = [](int value) {
       std::string out;
-      for (const char figure : std::to_string(value)) out += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
+      for (const char figure : std::to_string(value))
+        out += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
       return out;
     };
     const std::string domain = "[" + std::string(letter) + subscript(knots.degree()) + ", " + std::string(letter) +
                                subscript(knots.last_span() + 1) + (knots.closed() ? ")" : "]");
-    const std::array<std::string, 3> counts{std::to_string(knots.knots().size()), std::to_string(knots.interval_count()),
-                                            std::to_string(knots.count())};
+    const std::array<std::string, 3> counts{std::to_string(knots.knots().size()),
+                                            std::to_string(knots.interval_count()), std::to_string(knots.count())};
     ImGui::GetWindowDrawList()->AddLine({column.x, column.y - 1.5F}, {column.x + width, column.y - 1.5F},
                                         colour(theme.rule, 0.8F));
     text(frame.ui, Face::bold, {column.x, column.y + 8}, colour(theme.ink), letter);
     text(frame.ui, Face::regular, {first, column.y + 8}, colour(theme.ink), domain);
     for (std::size_t k = 0; k < counts.size(); ++k)
-      text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink), counts[k], Align::right);
+      text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink), counts[k],
+           Align::right);
     column.y += line;
   };
   row("u", frame.object.locals_u, frame.object.topology_u);
@@ -418,11 +441,10 @@ void other_parts(Frame& frame, Column& column) {
       if (parameter.group == group && other(parameter))
         (parameter.kind == ParameterKind::toggle ? toggles : rows).push_back(&parameter);
     // Numbers, and a row by itself, say enough with their own labels.
-    const bool headed = toggles.size() + rows.size() > 1 && (!toggles.empty() || rows.front()->kind == ParameterKind::choice);
-    if (headed)
-      heading(frame, column, group);
-    else
-      column.y += 6;
+    const bool headed =
+        toggles.size() + rows.size() > 1 && (!toggles.empty() || rows.front()->kind == ParameterKind::choice);
+    column.y += group == groups.front() ? 0 : 8;
+    if (headed) heading(frame, column, group);
     if (!toggles.empty()) chip_rows(frame, column, toggles);
     for (const Parameter* row : rows) parameter_row(frame, column, *row, row->label);
   }
@@ -449,16 +471,6 @@ void card_background(Frame& frame, const Rect& card, float opacity) {
     list.AddRect({card.x + 0.5F, card.y + 0.5F}, {card.x + card.width - 0.5F, card.y + card.height - 0.5F},
                  colour(frame.input.theme.rule), 11.5F);
   list.PopClipRect();
-}
-
-/// Rows that go on below the edge fade into it.
-void fade_foot(Frame& frame, const Rect& card, float rounding) {
-  if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) return;
-  const ImU32 clear = colour(frame.input.theme.panel, 0), full = colour(frame.input.theme.panel, 1);
-  const float foot = card.y + card.height, solid = rounding > 0 ? rounding : 4;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilledMultiColor({card.x + 1, foot - solid - 24}, {card.x + card.width - 9, foot - solid}, clear, clear, full, full);
-  list.AddRectFilled({card.x + 1, foot - solid}, {card.x + card.width - 9, foot}, full, rounding, ImDrawFlags_RoundCornersBottomLeft);
 }
 
 void card(Frame& frame) {
@@ -508,6 +520,7 @@ void card(Frame& frame) {
 void drawer(Frame& frame) {
   PanelState& state = frame.state;
   const Rect& stage = frame.stage;
+  const bool appears = state.drawer_open && state.drawer_share == 0;
   const float share = smooth(eased(frame.ui, state.drawer_share, state.drawer_open ? 1.0F : 0.0F, 0.16F));
   if (share < 1) {
     const float width = text_width(frame.ui, Face::bold, words::controls) + 50;
@@ -516,25 +529,26 @@ void drawer(Frame& frame) {
     if (pill_button(frame.ui, "controls", pill, Icon::sliders, words::controls)) state.drawer_open = true;
     ImGui::End();
   }
-  if (share <= 0) {
-    if (state.drawer_open) frame.ui.wants_frame = true;
-    return;
-  }
+  if (state.drawer_open && state.drawer_share == 0) frame.ui.wants_frame = true;
+  if (share <= 0) return;
 
   const float height = std::round(stage.height * 0.68F);
   const Rect rect{0, std::round(stage.height - height * share), stage.width, height};
   // Above the clock, which is the window last touched when someone has just played.
-  ImGui::SetNextWindowFocus();
+  // Only once: taking the focus again would close a list that opens over the drawer.
+  if (appears) ImGui::SetNextWindowFocus();
   begin(frame, "drawer", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   card_background(frame, {rect.x - 1, rect.y, rect.width + 2, rect.height + 20}, 0.98F);
   Column head{rect.x + padding, rect.width - 2 * padding, rect.y + 14};
   title_row(frame, head, 44);
-  if (icon_button(frame.ui, "controls", {rect.x + rect.width - 52, rect.y + 2, 44, 44}, Icon::close, true, words::controls))
+  if (icon_button(frame.ui, "controls", {rect.x + rect.width - 52, rect.y + 2, 44, 44}, Icon::close, true,
+                  words::controls))
     state.drawer_open = false;
 
   const Rect body{rect.x, rect.y + 48, rect.width, stage.height - rect.y - 48};
   ImGui::SetCursorScreenPos(body.min());
-  ImGui::BeginChild("drawer rows", {body.width, std::max(body.height, 1.0F)}, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
+  ImGui::BeginChild("drawer rows", {body.width, std::max(body.height, 1.0F)}, ImGuiChildFlags_None,
+                    ImGuiWindowFlags_NoBackground);
   sharpen(frame.ui, *ImGui::GetWindowDrawList());
   scroll_by_finger(frame, "drawer");
   Column column{body.x + padding, body.width - 2 * padding, body.y - ImGui::GetScrollY() + 2};
@@ -557,7 +571,8 @@ float tools(Frame& frame, float x, float middle) {
   const PanelInput& input = frame.input;
   output.undo = icon_button(frame.ui, "undo", place(0), Icon::undo, input.can_undo, words::undo);
   output.redo = icon_button(frame.ui, "redo", place(1), Icon::redo, input.can_redo, words::redo);
-  output.reset_patches = icon_button(frame.ui, "reset", place(2), Icon::reset, !frame.object.edits.empty(), words::reset);
+  output.reset_patches =
+      icon_button(frame.ui, "reset", place(2), Icon::reset, !frame.object.edits.empty(), words::reset);
   output.frame_all = icon_button(frame.ui, "frame", place(3), Icon::frame, true, words::frame);
   return 4 * size;
 }
@@ -583,10 +598,11 @@ void clock(Frame& frame) {
     tools(frame, right + 4, middle);
     right -= 10;
     const double pace = number(frame, *speed);
-    right -= 32;
-    text(frame.ui, Face::small, {right + 8, middle}, colour(theme.ink_soft), text_of("%.2g", pace) + "×");
+    right -= 34;
+    text(frame.ui, Face::small, {right + 8, middle}, colour(theme.ink_soft), value_text(*speed, pace));
     const float width = frame.stage.width >= wide_stage ? 72.0F : 52.0F;
-    const SliderEvent event = slider(frame.ui, speed->id, {right - width, middle - 16, width, 32}, scale_of(frame, *speed, pace), pace);
+    const SliderEvent event =
+        slider(frame.ui, speed->id, {right - width, middle - 16, width, 32}, scale_of(frame, *speed, pace), pace);
     take_slider(frame, *speed, event);
     right -= width + 14;
   } else {
@@ -618,8 +634,9 @@ void probe(Frame& frame) {
     const scene::PatchIndex patch = *frame.input.selected;
     const Colour hue = scene::patch_hue(scene::patch_hue_index(frame.object, patch), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
-    text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-         std::string(words::selected) + " " + std::to_string(patch.first + 1) + ", " + std::to_string(patch.second + 1));
+    text(
+        frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
+        std::string(words::selected) + " " + std::to_string(patch.first + 1) + ", " + std::to_string(patch.second + 1));
     y += 22;
   }
   if (share > 0 && state.last_probe) {
@@ -659,15 +676,19 @@ void notice(Frame& frame) {
   const std::string& words = state.last_notice;
   ImFont* font = frame.ui.fonts.regular;
   const float size = frame.ui.touch ? text_height + 1 : text_height;
-  const float wrap = std::min(360.0F, frame.stage.width - 72);
+  // Beside the card where there is room: it is the card that a refusal is mostly about.
+  const float free = frame.ui.touch ? frame.stage.width : card_frame(frame.stage).x;
+  const float wrap = std::min(360.0F, free - 72);
   const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, wrap, words.data(), words.data() + words.size());
   Rect box{0, 0, std::ceil(extent.x) + 40, std::ceil(extent.y) + 20};
-  box.x = std::round((frame.stage.width - box.width) / 2);
+  box.x = std::round((free - box.width) / 2);
   box.y = std::round(frame.stage.height - clock_height - 12 - box.height + 8 * (1 - share));
   soft_shadow(frame.ui, list, box, 10, share);
-  list.AddRectFilled(box.min(), box.max(), colour(theme.ink, 0.96F * share), 10);
-  list.AddCircleFilled({box.x + 15, box.y + 10 + size / 2}, 3.5F, colour(theme.dark ? Colour{0.70F, 0.26F, 0.12F} : Colour{0.94F, 0.53F, 0.37F}, share));
-  list.AddText(font, size, {box.x + 27, box.y + 10}, colour(theme.paper, share), words.data(), words.data() + words.size(), wrap);
+  list.AddRectFilled(box.min(), box.max(), colour(theme.ink, share), 10);
+  list.AddCircleFilled({box.x + 15, box.y + 10 + size / 2}, 3.5F,
+                       colour(theme.dark ? Colour{0.70F, 0.26F, 0.12F} : Colour{0.94F, 0.53F, 0.37F}, share));
+  list.AddText(font, size, {box.x + 27, box.y + 10}, colour(theme.paper, share), words.data(),
+               words.data() + words.size(), wrap);
 }
 
 /// What the interface covers. It depends on the stage's size alone: a picture that moved aside whenever a row unfolds

@@ -30,13 +30,13 @@ struct PanelInput {
   const scene::Document& document;
   const BlendingSurface& surface;
   const Theme& theme;
-  Viewport viewport;  ///< insets ignored
-  bool phone = false; ///< narrow stage: the panel is a drawer
+  Viewport viewport;   ///< insets ignored
+  bool phone = false;  ///< narrow stage: the panel is a drawer
   std::optional<Probe> probe;
   std::optional<scene::PatchIndex> selected;
   bool can_undo = false, can_redo = false;
   bool reduced_motion = false;  ///< no easing of hover and switches
-  std::string notice;  ///< a refusal or hint to show for a moment, may be empty
+  std::string notice;           ///< a refusal or hint to show for a moment, may be empty
 };
 
 /// State of the panels alone (what is folded, the drawer, what is fading out); one struct, passed by reference.
@@ -45,7 +45,7 @@ struct PanelState {
   bool show_more = false;  ///< the display, sampling and motion rows
 
   float drawer_share = 0, more_share = 0, probe_share = 0, notice_share = 0;  ///< how far each has come into view
-  float card_height = 0;  ///< as measured in the last frame, CSS pixels
+  float card_height = 0;            ///< as measured in the last frame, CSS pixels
   std::optional<Probe> last_probe;  ///< stays while it fades
   std::string last_notice;
   bool slider_held = false;  ///< a gesture is open
@@ -64,7 +64,7 @@ struct PanelOutput {
   bool wants_frame = false;  ///< something in the interface is still moving
   std::vector<Widget> widgets;
   std::vector<std::array<double, 4>> regions;  ///< cards and popups that take pointers, x y width height in CSS pixels
-  Viewport insets;  ///< the viewport with the insets that panel and clock cover
+  Viewport insets;                             ///< the viewport with the insets that panel and clock cover
 };
 
 /// Draws panel, clock, probe and notice with ImGui inside a running ImGui frame.
