@@ -243,7 +243,9 @@ Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
   const ImVec2 clip_max = ImGui::GetWindowDrawList()->GetClipRectMax();
   const float left = std::max(rect.x, clip_min.x), right = std::min(rect.x + rect.width, clip_max.x);
   const float top = std::max(rect.y, clip_min.y), bottom = std::min(rect.y + rect.height, clip_max.y);
-  if (right - left >= 1 && bottom - top >= 1)
+  // A sliver that scrolling leaves at an edge is nothing to aim at.
+  constexpr float least = 16;
+  if (right - left >= std::min(least, rect.width) && bottom - top >= std::min(least, rect.height))
     ui.widgets.push_back({std::string(label), {left, top, right - left, bottom - top}});
   return press;
 }

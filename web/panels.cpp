@@ -200,6 +200,11 @@ std::vector<float> thumbnail(std::string_view family) {
   return curve;
 }
 
+/// Presses in here are the interface's, not the stage's.
+void claim(Frame& frame, const Rect& rect) {
+  frame.output.regions.push_back({rect.x, rect.y, rect.width, rect.height});
+}
+
 void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   Interface& ui = frame.ui;
   const std::string popup = std::string(parameter.id) + " list";
@@ -220,6 +225,8 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                                             (wanted > box.height ? 0 : ImGuiWindowFlags_NoScrollbar)))
     return;
+  claim(frame, frame.stage);  // a press beside the list closes it and does nothing else
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   sharpen(ui, list);
   list.PushClipRectFullScreen();
@@ -455,6 +462,7 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
 
 void begin(Frame& frame, const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+  if (!(flags & ImGuiWindowFlags_NoInputs)) claim(frame, rect);
   ImGui::SetNextWindowPos(rect.min());
   ImGui::SetNextWindowSize({rect.width, rect.height});
   ImGui::Begin(name, nullptr, plain | flags);
@@ -634,9 +642,8 @@ void probe(Frame& frame) {
     const scene::PatchIndex patch = *frame.input.selected;
     const Colour hue = scene::patch_hue(scene::patch_hue_index(frame.object, patch), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
-    text(
-        frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-        std::string(words::selected) + " " + std::to_string(patch.first + 1) + ", " + std::to_string(patch.second + 1));
+    text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
+         std::string(words::selected) + " " + std::to_string(patch.first) + ", " + std::to_string(patch.second));
     y += 22;
   }
   if (share > 0 && state.last_probe) {
