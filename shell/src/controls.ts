@@ -158,7 +158,8 @@ export function format(parameter: Pick<Parameter, 'value' | 'step' | 'unit' | 'k
 export function decimalsOf(step: number | null): number {
   if (!step) return 2;
   let decimals = 0;
-  while (decimals < 6 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-9) ++decimals;
+  const whole = (x: number): boolean => Math.abs(x - Math.round(x)) <= 1e-6 * x;
+  while (decimals < 6 && !whole(step * 10 ** decimals)) ++decimals;
   return decimals;
 }
 

@@ -1,0 +1,166 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fulfilled, parseAction, run } from '../src/actions';
+import { exportMessage } from '../src/api';
+import { Bridge, RefusedError, unwrap, type EmscriptenModule } from '../src/bridge';
+import { decimalsOf, format } from '../src/controls';
+import { historyKey } from '../src/history';
+import { modifiersOf, wheelUnit } from '../src/input';
+import type { Parameter } from '../src/knotwork';
+import { countBytes } from '../src/progress';
+import { direction, rows, subscript } from '../src/report';
+
+const none = { shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
+
+/// A module that writes down what it is called with.
+function recorder(answer: string | number = '{"value":null}'): [Bridge, unknown[][]] {
+  const calls: unknown[][] = [];
+  const module: EmscriptenModule = {
+    ccall: (name, _result, types, values) => {
+      calls.push([name, types, values]);
+      return answer;
+    },
+  };
+  return [new Bridge(module), calls];
+}
+
+test('an answer is unwrapped, an error is thrown with its path', () => {
+  assert.deepEqual(unwrap('{"value":[1,2]}'), [1, 2]);
+  assert.equal(unwrap('{"value":null}'), null);
+  assert.throws(
+    () => unwrap('{"error":{"message":"Must be a number.","path":"objects[0].locals"}}'),
+    (error) =>
+      error instanceof RefusedError && error.message === 'Must be a number.' && error.path === 'objects[0].locals',
+  );
+});
+
+test('values cross the border with the types that bridge.h declares', () => {
+  const [bridge, calls] = recorder();
+  bridge.set('topology.u', 'open');
+  bridge.gesture(true);
+  bridge.font(new Uint8Array([1, 2]), 600);
+  assert.deepEqual(calls, [
+    ['knotwork_set', ['string', 'string'], ['topology.u', '"open"']],
+    ['knotwork_gesture', ['number'], [1]],
+    ['knotwork_font', ['array', 'number', 'number'], [new Uint8Array([1, 2]), 2, 600]],
+  ]);
+});
+
+test('phrases are parsed into actions', () => {
+  assert.deepEqual(parseAction('set?topology.v=open&locals.u=8&display.frames=true'), {
+    kind: 'set',
+    values: [['topology.v', 'open'], ['locals.u', 8], ['display.frames', true]],
+  });
+  assert.deepEqual(parseAction('play'), { kind: 'play' });
+  assert.deepEqual(parseAction('open?id=blending-surface'), { kind: 'open', chapter: 'blending-surface' });
+  for (const text of ['', 'set', 'jump', 'open?chapter=x']) assert.throws(() => parseAction(text), /cannot do/);
+});
+
+test('an action calls the module, once for each value', () => {
+  const [bridge, calls] = recorder();
+  run(parseAction('set?topology.u=open&topology.v=closed'), bridge);
+  run(parseAction('pause'), bridge);
+  assert.deepEqual(calls.map(([name]) => name), ['knotwork_set', 'knotwork_set', 'knotwork_play']);
+  assert.deepEqual(calls[2]![2], [0]);
+});
+
+test('an action is fulfilled when nothing is left to do', () => {
+  const table = new Map([['topology.u', { value: 'open' } as Parameter]]);
+  assert.equal(fulfilled(parseAction('set?topology.u=open'), table), true);
+  assert.equal(fulfilled(parseAction('set?topology.u=closed'), table), false);
+  assert.equal(fulfilled(parseAction('open?id=x'), table), false);
+});
+
+test('the report: counts and domains of a 6 by 4 net in all four topologies', () => {
+  const knots = (count: number): number[] => Array<number>(count).fill(0);
+  const state = {
+    u: { ...direction('u', 'closed', 6), knots: knots(9) },
+    v: { ...direction('v', 'open', 4), knots: knots(6) },
+  };
+  const shown = rows(state).map(({ u, v, shape, current }) => [
+    u.domain, v.domain, u.knots, v.knots, u.patches, v.patches, u.locals, v.locals, shape, current,
+  ]);
+  assert.deepEqual(shown, [
+    ['[u₁, u₆]', '[v₁, v₄]', 8, 6, 5, 3, 6, 4, 'plane', false],
+    ['[u₁, u₆]', '[v₁, v₅)', 8, 7, 5, 4, 6, 4, 'cylinder', false],
+    ['[u₁, u₇)', '[v₁, v₄]', 9, 6, 6, 3, 6, 4, 'cylinder', true],
+    ['[u₁, u₇)', '[v₁, v₅)', 9, 7, 6, 4, 6, 4, 'torus', false],
+  ]);
+  assert.equal(subscript(1280), '₁₂₈₀');
+});
+
+test('the row of the present topology shows what the module says', () => {
+  const said = { topology: 'open' as const, domain: '[u₁, u₉]', knots: [0, 0, 1], patches: 77, locals: 6 };
+  const present = rows({ u: said, v: { ...said, domain: '[v₁, v₉]' } }).find((row) => row.current)!;
+  assert.deepEqual([present.u.domain, present.u.knots, present.u.patches], ['[u₁, u₉]', 3, 77]);
+});
+
+test('numbers have as many decimals as their step, a true minus and their unit', () => {
+  const show = (value: number, step: number | null, unit = '', kind: Parameter['kind'] = 'number'): string =>
+    format({ value, step, unit, kind });
+  assert.equal(show(0.5, 0.01), '0.50');
+  assert.equal(show(-1.25, 0.25), '−1.25');
+  assert.equal(show(6, 1, '', 'integer'), '6');
+  assert.equal(show(2, 0.1, 's'), '2.0\u00a0s');
+  assert.deepEqual([1, 0.1, 0.05, 1e-9, 0, null].map(decimalsOf), [0, 1, 2, 6, 2, 2]);
+});
+
+test('undo and redo have the keys that readers know', () => {
+  const key = (name: string, held: Partial<typeof none>) => historyKey({ ...none, ...held, key: name });
+  assert.equal(key('z', { ctrlKey: true }), 'undo');
+  assert.equal(key('z', { metaKey: true }), 'undo');
+  assert.equal(key('Z', { ctrlKey: true, shiftKey: true }), 'redo');
+  assert.equal(key('y', { ctrlKey: true }), 'redo');
+  assert.equal(key('z', {}), null);
+  assert.equal(key('z', { ctrlKey: true, altKey: true }), null);
+});
+
+test('modifiers are bits, a wheel turns in pixels, lines or pages', () => {
+  assert.equal(modifiersOf({ ...none, shiftKey: true, metaKey: true }), 9);
+  assert.equal(modifiersOf({ ...none, ctrlKey: true, altKey: true }), 6);
+  assert.deepEqual([0, 1, 2].map((mode) => wheelUnit(mode, 700)), [1, 16, 700]);
+});
+
+test('bytes are counted as they pass, and pass unchanged', async () => {
+  const totals: number[] = [];
+  const source = new Blob([new Uint8Array([1, 2, 3]), new Uint8Array([4])]).stream();
+  const passed = await new Response(countBytes(source, (total) => totals.push(total))).arrayBuffer();
+  assert.deepEqual([...new Uint8Array(passed)], [1, 2, 3, 4]);
+  assert.equal(totals.at(-1), 4);
+});
+
+test('export says what will come, and what will not', () => {
+  assert.match(exportMessage('stl'), /not part of this version.*obj, stl/);
+  assert.match(exportMessage('doc'), /no such format/);
+});
+
+test('text has a contrast of at least 4.5 on paper and cards, controls of 3, in both schemes', () => {
+  const css = readFileSync('src/style/tokens.css', 'utf8');
+  const [light, dark] = css.split('@media (prefers-color-scheme: dark)').map(colours);
+  for (const scheme of [light!, new Map([...light!, ...dark!])]) {
+    for (const ground of ['--paper', '--card']) {
+      for (const text of ['--ink', '--ink-soft', '--accent', '--local-a', '--local-b', '--local-c', '--local-d']) {
+        const ratio = contrast(scheme.get(text)!, scheme.get(ground)!);
+        assert.ok(ratio >= 4.5, `${text} on ${ground}: ${ratio.toFixed(2)}`);
+      }
+      assert.ok(contrast(scheme.get('--edge')!, scheme.get(ground)!) >= 3, `--edge on ${ground}`);
+    }
+    assert.ok(contrast(scheme.get('--ink-soft')!, scheme.get('--stage')!) >= 4.5);
+  }
+});
+
+function colours(css: string): Map<string, string> {
+  return new Map([...css.matchAll(/(--[\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name!, value!]));
+}
+
+/// WCAG's ratio of relative luminances.
+function contrast(a: string, b: string): number {
+  const luminance = (colour: string): number =>
+    [1, 3, 5]
+      .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
+      .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i]!, 0);
+  const [high, low] = [luminance(a), luminance(b)].sort((x, y) => y - x);
+  return (high! + 0.05) / (low! + 0.05);
+}
