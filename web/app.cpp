@@ -570,6 +570,12 @@ bool App::wheel(const WheelEvent& event) {
 }
 
 bool App::key(const KeyEvent& event) {
+  // The interface's only key: Escape closes an open list, and does nothing else then.
+  if (event.key == "Escape") {
+    ImGui::GetIO().AddKeyEvent(ImGuiKey_Escape, event.down);
+    request_frames(frames_after_event);
+    if (panel_state_.list_open) return true;
+  }
   const Outcome outcome = web::key(interaction_, stage({-1e9, -1e9}), event);
   apply_outcome(outcome);
   return outcome.used;

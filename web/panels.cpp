@@ -225,6 +225,7 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                                             (wanted > box.height ? 0 : ImGuiWindowFlags_NoScrollbar)))
     return;
+  frame.state.list_open = true;
   claim(frame, frame.stage);  // a press beside the list closes it and does nothing else
   if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -739,6 +740,7 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   const Rect stage{0, 0, static_cast<float>(input.viewport.width), static_cast<float>(input.viewport.height)};
   Frame frame{state, input, output, ui, scene::blending_surface(input.document), stage};
 
+  state.list_open = false;
   probe(frame);
   if (!input.phone || state.drawer_share < 1) clock(frame);
   if (input.phone) {

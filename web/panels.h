@@ -49,6 +49,7 @@ struct PanelState {
   std::optional<Probe> last_probe;  ///< stays while it fades
   std::string last_notice;
   bool slider_held = false;  ///< a gesture is open
+  bool list_open = false;    ///< a list of choices, which Escape closes
   struct FingerScroll {
     std::string window;  ///< whose rows the finger is on; empty when on none
     float start = 0, scroll_at_start = 0;
