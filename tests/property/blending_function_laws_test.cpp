@@ -23,9 +23,16 @@ std::vector<Named> every_function() {
       all.push_back({std::string(family.id) + " " + std::to_string(p), BlendingFunction::make(family.kind, p).value()});
     }
   }
-  for (const ExpoRationalParameters& p :
-       {ExpoRationalParameters{1, 2, 1, 0.5}, {2, 1, 1, 0.5}, {1, 1, 2, 0.5}, {1, 1, 1, 0.3}, {0.5, 1, 0.7, 0.6},
-        {1, 1, 1, 0}, {1, 1, 1, 1}, {16, 16, 16, 0.5}, {0.0625, 0.0625, 0.0625, 0.5}, {3, 0.1, 0.2, 0.9}}) {
+  for (const ExpoRationalParameters& p : {ExpoRationalParameters{1, 2, 1, 0.5},
+                                          {2, 1, 1, 0.5},
+                                          {1, 1, 2, 0.5},
+                                          {1, 1, 1, 0.3},
+                                          {0.5, 1, 0.7, 0.6},
+                                          {1, 1, 1, 0},
+                                          {1, 1, 1, 1},
+                                          {16, 16, 16, 0.5},
+                                          {0.0625, 0.0625, 0.0625, 0.5},
+                                          {3, 0.1, 0.2, 0.9}}) {
     all.push_back({"intrinsic " + std::to_string(p.alpha) + " " + std::to_string(p.beta) + " " +
                        std::to_string(p.gamma) + " " + std::to_string(p.lambda),
                    BlendingFunction::make(p).value()});
@@ -45,8 +52,9 @@ std::vector<double> sample_parameters() {
 }  // namespace
 
 TEST_CASE("a B-function runs from 0 to 1 without turning back") {
-  for (const auto& [name, b] : every_function()) {
-    CAPTURE(name);
+  for (const Named& entry : every_function()) {
+    const BlendingFunction& b = entry.b;
+    CAPTURE(entry.name);
     CHECK(b(0)[0] == 0);
     CHECK(close(b(1)[0], 1, 1e-15));
     double previous = 0;
@@ -61,8 +69,9 @@ TEST_CASE("a B-function runs from 0 to 1 without turning back") {
 }
 
 TEST_CASE("values and derivatives are finite everywhere, the ends' neighbourhoods included") {
-  for (const auto& [name, b] : every_function()) {
-    CAPTURE(name);
+  for (const Named& entry : every_function()) {
+    const BlendingFunction& b = entry.b;
+    CAPTURE(entry.name);
     for (const double t : sample_parameters()) {
       CAPTURE(t);
       for (const double x : b(t)) REQUIRE(std::isfinite(x));
@@ -71,8 +80,9 @@ TEST_CASE("values and derivatives are finite everywhere, the ends' neighbourhood
 }
 
 TEST_CASE("symmetric functions satisfy B(t) + B(1-t) = 1 and its derivatives") {
-  for (const auto& [name, b] : every_function()) {
-    CAPTURE(name);
+  for (const Named& entry : every_function()) {
+    const BlendingFunction& b = entry.b;
+    CAPTURE(entry.name);
     double defect = 0;
     for (int k = 1; k < 64; ++k) {
       const BlendingValue x = b(k / 64.0), y = b(1 - k / 64.0);
@@ -88,8 +98,9 @@ TEST_CASE("symmetric functions satisfy B(t) + B(1-t) = 1 and its derivatives") {
 }
 
 TEST_CASE("derivatives up to the order vanish at both ends and the next does not") {
-  for (const auto& [name, b] : every_function()) {
-    CAPTURE(name);
+  for (const Named& entry : every_function()) {
+    const BlendingFunction& b = entry.b;
+    CAPTURE(entry.name);
     const BlendingValue start = b(0), end = b(1);
     for (int k = 1; k <= 3; ++k) {
       CAPTURE(k);

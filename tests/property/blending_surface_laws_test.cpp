@@ -47,8 +47,9 @@ SurfaceJet without_weight_derivatives(const BlendingSurface& surface, double u, 
 }  // namespace
 
 TEST_CASE("both evaluation forms agree to 1e-13") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
     for (const double u : interval_parameters(surface.knots_u(), {0, 0.03, 0.4, 0.5, 0.9, 1})) {
       for (const double v : interval_parameters(surface.knots_v(), {0, 0.1, 0.5, 0.77, 1})) {
@@ -63,8 +64,9 @@ TEST_CASE("both evaluation forms agree to 1e-13") {
 }
 
 TEST_CASE("partials are the derivatives, relative to their size; wrong ones are rejected") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const KnotVector &knots_u = surface.knots_u(), &knots_v = surface.knots_v();
     const JetScale scale = jet_scale(surface);
     DifferenceCheck check;
@@ -101,8 +103,9 @@ TEST_CASE("partials are the derivatives, relative to their size; wrong ones are 
 }
 
 TEST_CASE("a local has influence on its support, all of it, and nowhere else: bit for bit, the wrap included") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const KnotVector &knots_u = surface.knots_u(), &knots_v = surface.knots_v();
     const std::vector<double> us = interval_parameters(knots_u, {0, 0.3, 0.7}),
                               vs = interval_parameters(knots_v, {0, 0.4, 0.6});
@@ -136,8 +139,9 @@ TEST_CASE("a local has influence on its support, all of it, and nowhere else: bi
 TEST_CASE("the surface and its partials up to the order are continuous across knots and closed seams") {
   // The order is sharp: over all cases the next derivative jumps, or the test would detect nothing.
   int jumps_beyond_order = 0, crossings = 0;
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
     for (const bool in_u : {true, false}) {
       const KnotVector& knots = in_u ? surface.knots_u() : surface.knots_v();
@@ -169,8 +173,9 @@ TEST_CASE("the surface and its partials up to the order are continuous across kn
 }
 
 TEST_CASE("Hermite property: at a knot the surface has the point and partials of the local there, up to the order") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
     for (int i = 0; i < surface.knots_u().count(); ++i) {
       for (int j = 0; j < surface.knots_v().count(); ++j) {
@@ -189,8 +194,9 @@ TEST_CASE("Hermite property: at a knot the surface has the point and partials of
 
 TEST_CASE("affine invariance: mapping every local maps the surface") {
   Numbers numbers(4711);
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const Eigen::Affine3d map = numbers.affine();
     BlendingSurface mapped = surface;
     for (int i = 0; i < surface.knots_u().count(); ++i) {
@@ -231,12 +237,14 @@ TEST_CASE("P1: unmoved locals give the model back whatever the blending function
 }
 
 TEST_CASE("a closed direction repeats with its period, an open one stops at its ends") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const KnotVector &u = surface.knots_u(), &v = surface.knots_v();
     const double a = u.start() + 0.37 * u.period(), b = v.start() + 0.61 * v.period();
     const Eigen::Vector3d here = surface.evaluate(a, b).s;
-    const Eigen::Vector3d next_u = surface.evaluate(a + u.period(), b).s, next_v = surface.evaluate(a, b - v.period()).s;
+    const Eigen::Vector3d next_u = surface.evaluate(a + u.period(), b).s,
+                          next_v = surface.evaluate(a, b - v.period()).s;
     if (u.closed()) {
       CHECK(close(next_u, here, 1e-13, 1));
     } else {

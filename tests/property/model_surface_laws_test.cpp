@@ -14,8 +14,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-const ModelSurface models[] = {Plane{{1, 2, 3}, {1, 2, 0}, {0, 1, 1}}, Cylinder{1, 1.3, 2}, Torus{1, 0.4, 0.6},
-                               Sheet{0, 0}, Sheet{1, 0}, Sheet{0, 1}, Sheet{1, 1}, Sheet{0.3, 0.8}, Sheet{1e-9, 1e-5}};
+const ModelSurface models[] = {Plane{{1, 2, 3}, {1, 2, 0}, {0, 1, 1}},
+                               Cylinder{1, 1.3, 2},
+                               Torus{1, 0.4, 0.6},
+                               Sheet{0, 0},
+                               Sheet{1, 0},
+                               Sheet{0, 1},
+                               Sheet{1, 1},
+                               Sheet{0.3, 0.8},
+                               Sheet{1e-9, 1e-5}};
 
 /// Second partials of magnitude below that of the surface itself cannot be told from 0 by differences.
 constexpr DifferenceCheck check{1e-9, {1, 1, 1, 1, 1, 1}};

@@ -46,15 +46,15 @@ std::size_t boundary_edges(const std::map<Edge, int>& edges) {
 }  // namespace
 
 TEST_CASE("joined meshes are watertight manifolds with the surface's topology") {
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     for (const int samples : {1, 7}) {
       const MeshData mesh = sample(surface, samples, samples, Seam::joined);
-      const SampleGrid grid =
-          sample_grid(surface.knots_u(), surface.knots_v(), samples, samples, Seam::joined);
+      const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), samples, samples, Seam::joined);
       const std::map<Edge, int> edges = directed_edges(mesh);
       // Each directed edge once: no edge has more than two triangles, and neighbours turn the same way.
-      CHECK(std::all_of(edges.begin(), edges.end(), [](const auto& entry) { return entry.second == 1; }));
+      CHECK(std::all_of(edges.begin(), edges.end(), [](const auto& counted) { return counted.second == 1; }));
 
       const bool u = surface.knots_u().closed(), v = surface.knots_v().closed();
       CHECK(euler_characteristic(mesh) == (u || v ? 0 : 1));
@@ -68,8 +68,9 @@ TEST_CASE("joined meshes are watertight manifolds with the surface's topology") 
 
 TEST_CASE("a repeated seam has the same positions and normals bit for bit, at both parameters") {
   int seams = 0;
-  for (const auto& [name, surface] : surface_cases()) {
-    CAPTURE(name);
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    CAPTURE(entry.name);
     const MeshData mesh = sample(surface, 6, 5, Seam::repeated);
     const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), 6, 5, Seam::repeated);
     const std::size_t columns = grid.u.size(), rows = grid.v.size();
@@ -94,8 +95,8 @@ TEST_CASE("normals are unit vectors and agree with the turn of the triangles") {
   for (const SurfaceCase& entry : surface_cases()) {
     // Gentle moves, so that a coarse mesh follows the surface: strong ones fold it.
     const BlendingSurface& moved_surface = entry.surface;
-    BlendingSurface surface = unmoved(moved_surface.model(), moved_surface.knots_u(), moved_surface.knots_v(),
-                                      moved_surface.blending());
+    BlendingSurface surface =
+        unmoved(moved_surface.model(), moved_surface.knots_u(), moved_surface.knots_v(), moved_surface.blending());
     surface.set_local(0, 1, Eigen::Translation3d(0.02, 0.03, 0.02) * surface.local(0, 1));
     CAPTURE(entry.name);
     const MeshData mesh = sample(surface, 60, 60, Seam::joined);
@@ -114,7 +115,8 @@ TEST_CASE("normals are unit vectors and agree with the turn of the triangles") {
 }
 
 TEST_CASE("every knot is a sample") {
-  for (const auto& [name, surface] : surface_cases()) {
+  for (const SurfaceCase& entry : surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
     const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), 10, 3, Seam::joined);
     for (int i = 0; i < surface.knots_u().count(); ++i) {
       CHECK(std::binary_search(grid.u.begin(), grid.u.end(), surface.centre(i, 0).x()));

@@ -214,7 +214,8 @@ TEST_CASE("make refuses what cannot be a blending surface, in words") {
     CHECK(error_path(result) == "knots_u");
     CHECK(result.error().message == "The plane is not closed in u, so the surface cannot be closed there.");
     CHECK(error_path(make(Plane{}, unit, unit_closed)) == "knots_v");
-    CHECK(error_path(make(Cylinder{}, knots(3, closed, -0.5, 0.5), knots(3, closed, -1.5 * pi, 0.5 * pi))) == "knots_u");
+    CHECK(error_path(make(Cylinder{}, knots(3, closed, -0.5, 0.5), knots(3, closed, -1.5 * pi, 0.5 * pi))) ==
+          "knots_u");
     CHECK(error_path(make(Sheet{0.999, 1}, symmetric, symmetric)) == "knots_u");
     CHECK(error_path(make(Sheet{1, 0}, symmetric, symmetric)) == "knots_v");
   }
@@ -240,14 +241,15 @@ TEST_CASE("make refuses what cannot be a blending surface, in words") {
   }
   SUBCASE("a wrong number of locals") {
     for (const std::size_t n : {0u, 8u, 10u}) {
-      const Result<BlendingSurface> result = BlendingSurface::make(Plane{}, unit, unit, polynomial2(),
-                                                                   std::vector(n, Eigen::Affine3d::Identity()));
+      const Result<BlendingSurface> result =
+          BlendingSurface::make(Plane{}, unit, unit, polynomial2(), std::vector(n, Eigen::Affine3d::Identity()));
       CHECK(error_path(result) == "locals");
       CHECK(result.error().message.find('9') != std::string::npos);
     }
   }
   SUBCASE("entries that are not finite, or a map that is not affine") {
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
       std::vector<Eigen::Affine3d> locals(9, Eigen::Affine3d::Identity());
       locals[4].matrix()(2, 3) = bad;
       CHECK(error_path(BlendingSurface::make(Plane{}, unit, unit, polynomial2(), locals)) == "locals[4]");

@@ -28,13 +28,14 @@ BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
 struct ShaderVertex {
   Eigen::Vector3f s, su, sv;
 };
-ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int n_v, std::size_t a, std::size_t b) {
+ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int n_v, std::size_t a,
+                   std::size_t b) {
   const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
   const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.rows) + b);
   using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
   const auto map = [&](float i, float j) {
-    return Map(Eigen::Map<const Map>(&maps[12 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(n_v) +
-                                                 static_cast<std::size_t>(j))]));
+    return Map(Eigen::Map<const Map>(
+        &maps[12 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(n_v) + static_cast<std::size_t>(j))]));
   };
   const Map m00 = map(bu[2], bv[2]), m01 = map(bu[2], bv[3]), m10 = map(bu[3], bv[2]), m11 = map(bu[3], bv[3]);
   const Map low = (1 - bv[0]) * m00 + bv[0] * m01, high = (1 - bv[0]) * m10 + bv[0] * m11;

@@ -92,8 +92,8 @@ TEST_CASE("a sheet is closed in a direction exactly when its bend is 1") {
 
 TEST_CASE("the batch form is the single form") {
   const double u[] = {-1, 0, 0.3, 2}, v[] = {-2, 0.1, 1};
-  for (const ModelSurface& model : {ModelSurface(Plane{}), ModelSurface(Cylinder{}), ModelSurface(Torus{}),
-                                    ModelSurface(Sheet{0.4, 0.7})}) {
+  for (const ModelSurface& model :
+       {ModelSurface(Plane{}), ModelSurface(Cylinder{}), ModelSurface(Torus{}), ModelSurface(Sheet{0.4, 0.7})}) {
     std::vector<SurfaceJet> out(12);
     evaluate_grid(model, u, v, out);
     for (std::size_t a = 0; a < 4; ++a) {

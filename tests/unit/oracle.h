@@ -13,8 +13,8 @@
 #include <ostream>
 #include <string>
 
-#include <Eigen/Core>
 #include <doctest/doctest.h>
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include "knotwork/surface/surface_jet.h"

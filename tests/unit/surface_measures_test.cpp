@@ -111,8 +111,8 @@ TEST_CASE("measures do not depend on the size of the surface or the speed of its
   for (const double size : {1e-40, 1e-3, 1e5, 1e40}) {
     for (const double speed : {1e-30, 1.0, 1e20}) {
       const double p = size * speed;
-      const SurfaceJet scaled = jet_of(p * jet.su, p * jet.sv, p * speed * jet.suu, p * speed * jet.suv,
-                                       p * speed * jet.svv);
+      const SurfaceJet scaled =
+          jet_of(p * jet.su, p * jet.sv, p * speed * jet.suu, p * speed * jet.suv, p * speed * jet.svv);
       CHECK(close(unit_normal(scaled), unit_normal(jet), 1e-14));
       CHECK(close(curvature(scaled).mean * size, c.mean, 1e-13));
     }
@@ -122,8 +122,8 @@ TEST_CASE("measures do not depend on the size of the surface or the speed of its
 TEST_CASE("where a partial vanishes the normal is the limit along the surface") {
   // The pole of a sphere (cos u cos v, sin u cos v, sin v) at v = -pi/2, where S_u = 0 and the surface has v growing.
   const double u = 0.4;
-  const SurfaceJet pole = jet_of({0, 0, 0}, {std::cos(u), std::sin(u), 0}, {0, 0, 0}, {-std::sin(u), std::cos(u), 0},
-                                 {0, 0, 1});
+  const SurfaceJet pole =
+      jet_of({0, 0, 0}, {std::cos(u), std::sin(u), 0}, {0, 0, 0}, {-std::sin(u), std::cos(u), 0}, {0, 0, 1});
   CHECK(close(unit_normal(pole), {0, 0, -1}, 1e-15));
   CHECK_FALSE(curvature(pole).regular);
   CHECK(curvature(pole).gaussian == 0);

@@ -14,20 +14,20 @@ constexpr double pi = std::numbers::pi;
 
 constexpr std::array<BlendingFamily, 11> families{{
     {BlendingKind::linear, "linear", "Linear", "t", 0, true, 0, 0, 0},
-    {BlendingKind::trigonometric, "trigonometric", "Trigonometric", "\\sin^2\\tfrac{\\pi t}{2}", 1, true, 0, 0, 0},
+    {BlendingKind::trigonometric, "trigonometric", "Trigonometric", R"(\sin^2\tfrac{\pi t}{2})", 1, true, 0, 0, 0},
     {BlendingKind::polynomial1, "polynomial1", "Polynomial, order 1", "3t^2-2t^3", 1, true, 0, 0, 0},
     {BlendingKind::polynomial2, "polynomial2", "Polynomial, order 2", "6t^5-15t^4+10t^3", 2, true, 0, 0, 0},
     {BlendingKind::polynomial3, "polynomial3", "Polynomial, order 3", "-20t^7+70t^6-84t^5+35t^4", 3, true, 0, 0, 0},
     {BlendingKind::polynomial_m, "polynomial_m", "Polynomial, order m", "I_t(m+1,m+1)", -1, true, 0, 16, 4},
-    {BlendingKind::trigonometric2, "trigonometric2", "Trigonometric, order 2", "t-\\tfrac{\\sin 2\\pi t}{2\\pi}", 2,
+    {BlendingKind::trigonometric2, "trigonometric2", "Trigonometric, order 2", R"(t-\tfrac{\sin 2\pi t}{2\pi})", 2,
      true, 0, 0, 0},
     {BlendingKind::trigonometric3, "trigonometric3", "Trigonometric, order 3",
-     "\\tfrac12-\\tfrac{9\\cos\\pi t-\\cos 3\\pi t}{16}", 3, true, 0, 0, 0},
-    {BlendingKind::rational, "rational", "Rational", "\\tfrac{t^p}{t^p+(1-t)^p}", -1, true, 2, 16, 2},
-    {BlendingKind::expo_rational, "expo_rational", "Expo-rational",
-     "S\\int_0^t e^{-\\frac{(s-1/2)^2}{s(1-s)}}\\,ds", smooth_order, true, 0, 0, 0},
+     R"(\tfrac12-\tfrac{9\cos\pi t-\cos 3\pi t}{16})", 3, true, 0, 0, 0},
+    {BlendingKind::rational, "rational", "Rational", R"(\tfrac{t^p}{t^p+(1-t)^p})", -1, true, 2, 16, 2},
+    {BlendingKind::expo_rational, "expo_rational", "Expo-rational", R"(S\int_0^t e^{-\frac{(s-1/2)^2}{s(1-s)}}\,ds)",
+     smooth_order, true, 0, 0, 0},
     {BlendingKind::logistic_expo_rational, "logistic_expo_rational", "Logistic expo-rational",
-     "\\tfrac{1}{1+e^{1/t-1/(1-t)}}", smooth_order, true, 0, 0, 0},
+     R"(\tfrac{1}{1+e^{1/t-1/(1-t)}})", smooth_order, true, 0, 0, 0},
 }};
 
 // sin(pi t) and cos(pi t) on [0,1], exact at 0, 1/2 and 1, with full relative accuracy next to their zeros there.
@@ -114,7 +114,7 @@ BlendingValue logistic(double t) {
   if (r < flat) return {1, 0, 0, 0};
   const double g = (1 - 2 * t) / (t * r), e = std::exp(-std::abs(g));
   const double b = g > 0 ? e / (1 + e) : 1 / (1 + e);
-  const double product = e / ((1 + e) * (1 + e));              // Q = B (1-B)
+  const double product = e / ((1 + e) * (1 + e));             // Q = B (1-B)
   const double p = (g > 0 ? 1.0 : -1.0) * (1 - e) / (1 + e);  // 1 - 2B
   const double g1 = -1 / (t * t) - 1 / (r * r), g2 = 2 / (t * t * t) - 2 / (r * r * r);
   const double g3 = -6 / (t * t * t * t) - 6 / (r * r * r * r);
@@ -191,17 +191,28 @@ BlendingValue BlendingFunction::operator()(double w) const {
   if (w < 0) return {0, 0, 0, 0};
   if (w > 1) return {1, 0, 0, 0};
   switch (kind_) {
-    case BlendingKind::linear: return {w, 1, 0, 0};
-    case BlendingKind::trigonometric: return trigonometric(w);
-    case BlendingKind::polynomial1: return polynomial(1, w);
-    case BlendingKind::polynomial2: return polynomial(2, w);
-    case BlendingKind::polynomial3: return polynomial(3, w);
-    case BlendingKind::polynomial_m: return polynomial(parameter_, w);
-    case BlendingKind::trigonometric2: return trigonometric2(w);
-    case BlendingKind::trigonometric3: return trigonometric3(w);
-    case BlendingKind::rational: return rational(parameter_, w);
-    case BlendingKind::expo_rational: return (*table_)(w);
-    case BlendingKind::logistic_expo_rational: return logistic(w);
+    case BlendingKind::linear:
+      return {w, 1, 0, 0};
+    case BlendingKind::trigonometric:
+      return trigonometric(w);
+    case BlendingKind::polynomial1:
+      return polynomial(1, w);
+    case BlendingKind::polynomial2:
+      return polynomial(2, w);
+    case BlendingKind::polynomial3:
+      return polynomial(3, w);
+    case BlendingKind::polynomial_m:
+      return polynomial(parameter_, w);
+    case BlendingKind::trigonometric2:
+      return trigonometric2(w);
+    case BlendingKind::trigonometric3:
+      return trigonometric3(w);
+    case BlendingKind::rational:
+      return rational(parameter_, w);
+    case BlendingKind::expo_rational:
+      return (*table_)(w);
+    case BlendingKind::logistic_expo_rational:
+      return logistic(w);
   }
   return {0, 0, 0, 0};
 }

@@ -16,10 +16,10 @@ enum class BlendingKind : unsigned char {
   polynomial1,
   polynomial2,
   polynomial3,
-  polynomial_m,   ///< I_t(m+1, m+1), integer m
+  polynomial_m,  ///< I_t(m+1, m+1), integer m
   trigonometric2,
   trigonometric3,
-  rational,       ///< t^p / (t^p + (1-t)^p), integer p
+  rational,  ///< t^p / (t^p + (1-t)^p), integer p
   expo_rational,
   logistic_expo_rational,
 };
@@ -30,8 +30,8 @@ struct BlendingFamily {
   std::string_view id;       ///< in documents, as `polynomial2`
   std::string_view label;    ///< for readers
   std::string_view formula;  ///< TeX
-  int order;                 ///< m with B^(k)(0) = B^(k)(1) = 0 for k = 1..m; -1: given by the parameter; smooth_order: all k
-  bool symmetric;            ///< B(t) + B(1-t) = 1
+  int order;       ///< m with B^(k)(0) = B^(k)(1) = 0 for k = 1..m; -1: given by the parameter; smooth_order: all k
+  bool symmetric;  ///< B(t) + B(1-t) = 1
   int parameter_min, parameter_max, parameter_default;  ///< integer m or p; all 0 where there is none
 };
 inline constexpr int smooth_order = 1000;

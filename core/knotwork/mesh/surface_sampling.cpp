@@ -55,7 +55,8 @@ std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool
   };
   for (int a = 0; a < cells_u; ++a) {
     for (int b = 0; b < cells_v; ++b) {
-      const std::uint32_t v00 = vertex(a, b), v10 = vertex(a + 1, b), v01 = vertex(a, b + 1), v11 = vertex(a + 1, b + 1);
+      const std::uint32_t v00 = vertex(a, b), v10 = vertex(a + 1, b), v01 = vertex(a, b + 1),
+                          v11 = vertex(a + 1, b + 1);
       indices.insert(indices.end(), {v00, v10, v11, v00, v11, v01});
     }
   }

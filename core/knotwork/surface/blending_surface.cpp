@@ -17,8 +17,8 @@ constexpr double largest_entry = 1e100;
 
 /// One direction at one parameter: the two locals that meet there and their weights with two derivatives.
 struct DirectionBlend {
-  int first, second;                   ///< local indices; first is the one centred at the interval's start
-  std::array<double, 3> one, other;    ///< (1-B, ., .) and (B, B' delta, B'' delta^2)
+  int first, second;                 ///< local indices; first is the one centred at the interval's start
+  std::array<double, 3> one, other;  ///< (1-B, ., .) and (B, B' delta, B'' delta^2)
 };
 
 DirectionBlend direction_blend(const KnotVector& knots, const BlendingFunction& blending, double reduced, int hint) {
@@ -99,8 +99,8 @@ bool usable(const Eigen::Affine3d& map) {
 
 }  // namespace
 
-BlendingSurface::BlendingSurface(ModelSurface model, KnotVector knots_u, KnotVector knots_v,
-                                 BlendingFunction blending, std::vector<Eigen::Affine3d> locals)
+BlendingSurface::BlendingSurface(ModelSurface model, KnotVector knots_u, KnotVector knots_v, BlendingFunction blending,
+                                 std::vector<Eigen::Affine3d> locals)
     : model_(std::move(model)),
       knots_u_(std::move(knots_u)),
       knots_v_(std::move(knots_v)),
@@ -131,7 +131,8 @@ Result<BlendingSurface> BlendingSurface::make(ModelSurface model, KnotVector kno
   }
   for (std::size_t k = 0; k < locals.size(); ++k) {
     if (!usable(locals[k])) {
-      return Error{"locals[" + std::to_string(k) + "]", "The map of a local surface must be affine, with finite entries."};
+      return Error{"locals[" + std::to_string(k) + "]",
+                   "The map of a local surface must be affine, with finite entries."};
     }
   }
   return BlendingSurface(std::move(model), std::move(knots_u), std::move(knots_v), std::move(blending),
@@ -214,9 +215,9 @@ void BlendingSurface::evaluate_grid(std::span<const double> u, std::span<const d
       knotwork::evaluate_grid(model_, {&reduced_u, 1}, std::span(reduced_v).first(size), row);
       for (std::size_t b = 0; b < size; ++b) {
         const DirectionBlend& blend_v = blends_v[b];
-        row[b] = blended(blend_u, blend_v, model_map(blend_u.first, blend_v.first),
-                         model_map(blend_u.first, blend_v.second), model_map(blend_u.second, blend_v.first),
-                         model_map(blend_u.second, blend_v.second), row[b]);
+        row[b] =
+            blended(blend_u, blend_v, model_map(blend_u.first, blend_v.first), model_map(blend_u.first, blend_v.second),
+                    model_map(blend_u.second, blend_v.first), model_map(blend_u.second, blend_v.second), row[b]);
       }
     }
   }

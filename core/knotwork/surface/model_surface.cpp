@@ -86,7 +86,7 @@ Status check(const Plane& m) {
     }
   }
   const double length_u = m.u_axis.norm(), length_v = m.v_axis.norm();
-  if (const Status lengths = check_lengths({{"u_axis", length_u}, {"v_axis", length_v}}); !lengths) return lengths;
+  if (Status lengths = check_lengths({{"u_axis", length_u}, {"v_axis", length_v}}); !lengths) return lengths;
   if (m.u_axis.cross(m.v_axis).norm() < 1e-9 * length_u * length_v) {
     return Error{"v_axis", "The axes of the plane must not be parallel."};
   }

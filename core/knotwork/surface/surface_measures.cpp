@@ -54,12 +54,12 @@ Eigen::Vector3d unit_normal(const SurfaceJet& jet) {
   const Eigen::Vector3d along_v = j.suv.cross(j.sv) + j.su.cross(j.svv);
   const double size = std::max({j.suu.stableNorm(), j.suv.stableNorm(), j.svv.stableNorm()});
   const bool prefer_u = along_u.stableNorm() >= along_v.stableNorm();
-  if (const Eigen::Vector3d n = direction(prefer_u ? along_u : along_v, size); !n.isZero(0)) return n;
+  if (Eigen::Vector3d n = direction(prefer_u ? along_u : along_v, size); !n.isZero(0)) return n;
 
   // Both first-order terms vanish: second order along u, along v, along the diagonal.
   const Eigen::Vector3d uu = direction(j.suu, 0), uv = direction(j.suv, 0), vv = direction(j.svv, 0);
   for (const Eigen::Vector3d& candidate : {uu.cross(uv).eval(), uv.cross(vv).eval(), uu.cross(vv).eval()}) {
-    if (const Eigen::Vector3d n = direction(candidate, 1); !n.isZero(0)) return n;
+    if (Eigen::Vector3d n = direction(candidate, 1); !n.isZero(0)) return n;
   }
   return Eigen::Vector3d::UnitZ();
 }
