@@ -97,7 +97,7 @@ const toggles = [
   'display.normals', 'display.handles',
 ];
 
-pageTest('each thing shown can be switched in the panel, and makes a difference', { reducedMotion: true }, async (page) => {
+pageTest('each thing shown can be switched in the panel, and makes a difference', { full: true, reducedMotion: true }, async (page) => {
   await showMore(page, 'display.wireframe');
   for (const id of toggles) {
     const was = (await parameter(page, id)).value;
@@ -116,7 +116,7 @@ pageTest('each thing shown can be switched in the panel, and makes a difference'
   }
 });
 
-pageTest('the buttons for undo and redo say what they do and do it', {}, async (page) => {
+pageTest('the buttons for undo and redo say what they do and do it', { full: true }, async (page) => {
   const [undo, redo] = [/^Undo/, /^Redo/].map((name) => page.getByRole('button', { name }));
   const possible = async (button) => (await button.getAttribute('aria-disabled')) !== 'true';
   assert.deepEqual([await possible(undo), await possible(redo)], [false, false]);
@@ -145,7 +145,7 @@ pageTest('the buttons for undo and redo say what they do and do it', {}, async (
   assert.equal(await possible(redo), false, 'what was undone can be redone after something else was done');
 });
 
-pageTest('64 x 64 patches and 1024 x 1024 samples are drawn', { size: [900, 480] }, async (page) => {
+pageTest('64 x 64 patches and 1024 x 1024 samples are drawn', { full: true, size: [900, 480] }, async (page) => {
   await call(page, 'set', 'locals.u', 64);
   await call(page, 'set', 'locals.v', 64);
   await settled(page);

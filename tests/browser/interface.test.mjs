@@ -135,7 +135,6 @@ pageTest('a call that makes no sense throws an error and changes nothing', {}, a
     ['evaluate', id, [0, 0], -1],
     ['evaluate', id, [0, 0], 0.5],
     ['open', 'no-such-chapter'],
-    ['seek', -1e9],
     ['seek', 'later'],
     ['export', 'obj'],
     ['export', 'glb'],
@@ -307,7 +306,7 @@ pageTest('what document() gives, load() takes back exactly, and undo takes the l
   assert.deepEqual(await documentOf(page), other);
 });
 
-pageTest('chapters() lists the chapters, and open() brings back their start', {}, async (page) => {
+pageTest('chapters() lists the chapters, and open() brings back their start', { full: true }, async (page) => {
   const start = await documentOf(page);
   const chapters = await call(page, 'chapters');
   const rows = (await call(page, 'parameters')).map((row) => row.id);

@@ -72,7 +72,7 @@ for (const [name, options] of screens) {
     for (const [state, prepare] of Object.entries(states)) {
       const title = `${name}-${dark ? 'dark' : 'light'}-${state}`;
       if (only.length > 0 && !only.every((word) => title.split('-').includes(word))) continue;
-      const { page, close, complaints } = await openPage({ browser, ...options, dark });
+      const { page, close, complaints } = await openPage({ browser, ...options, dark, full: true });
       await settled(page);
       await prepare(page);
       await settled(page);

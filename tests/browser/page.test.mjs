@@ -10,7 +10,7 @@ import {
 
 const axeSource = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
-pageTest('the page loads without a complaint and shows its figure', {}, async (page) => {
+pageTest('the page loads without a complaint and shows its figure', { full: true }, async (page) => {
   assert.match(await page.title(), /Knotwork/);
   assert.equal(await page.getByRole('alert').isVisible(), false);
   assert.equal(await page.getByRole('progressbar').isVisible(), false);
@@ -18,7 +18,7 @@ pageTest('the page loads without a complaint and shows its figure', {}, async (p
   assert.ok((await page.getByRole('main').innerText()).length > 2000);
 });
 
-pageTest('the pixels are a surface before a calm background', { size: [1200, 800] }, async (page) => {
+pageTest('the pixels are a surface before a calm background', { full: true, size: [1200, 800] }, async (page) => {
   await settled(page);
   const stage = await stageRect(page);
   const seen = await picture(page);
@@ -38,7 +38,7 @@ pageTest('the pixels are a surface before a calm background', { size: [1200, 800
   assert.ok(difference(seen, empty) > 0.1);
 });
 
-pageTest('patch colours are clearly different hues', { size: [1200, 800] }, async (page) => {
+pageTest('patch colours are clearly different hues', { full: true, size: [1200, 800] }, async (page) => {
   await call(page, 'set', 'display.handles', false);
   await call(page, 'set', 'display.knots', false);
   await call(page, 'set', 'topology.u', 'open');
@@ -57,7 +57,7 @@ pageTest('patch colours are clearly different hues', { size: [1200, 800] }, asyn
 });
 
 for (const scale of [1, 2, 3]) {
-  pageTest(`at a pixel ratio of ${scale} the canvas has the screen's pixels`, { scale, size: [760, 480] }, async (page) => {
+  pageTest(`at a pixel ratio of ${scale} the canvas has the screen's pixels`, { full: true, scale, size: [760, 440] }, async (page) => {
     await settled(page);
     const { width, height, box } = await page.evaluate(() => {
       const canvas = document.querySelector('canvas');
@@ -210,7 +210,7 @@ pageTest('without JavaScript the prose can be read', { scripts: false, wait: fal
   assert.match(await page.locator('noscript').first().innerText(), /script/);
 });
 
-pageTest('a lost graphics context comes back with the same picture', {}, async (page) => {
+pageTest('a lost graphics context comes back with the same picture', { full: true }, async (page) => {
   const handle = await frontHandle(page);
   await drag(page, handle.screen, plus(handle.screen, [40, -15]));
   await page.mouse.move(3, 3);
@@ -238,7 +238,7 @@ pageTest('a lost graphics context comes back with the same picture', {}, async (
 test('the site works on a plain host, under a path of its own', async () => {
   const host = await plainHost('/some/path/');
   try {
-    const { page, complaints, close } = await openPage({ address: host.address });
+    const { page, complaints, close } = await openPage({ address: host.address, full: true });
     await settled(page);
     assert.ok(distinctColours(await picture(page)) > 1000);
     assert.deepEqual(complaints(), []);
@@ -280,7 +280,7 @@ pageTest(
   },
 );
 
-for (const [name, options] of [['desktop', { size: [1280, 800] }], ['phone', { size: [390, 844], scale: 2, touch: true }]]) {
+for (const [name, options] of [['desktop', { full: true, size: [1280, 800] }], ['phone', { full: true, size: [390, 844], scale: 2, touch: true }]]) {
   pageTest(`nothing moves while the page arrives on a ${name}`, {
     ...options,
     before: (page) =>

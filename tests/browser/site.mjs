@@ -119,11 +119,23 @@ function watch(page, origin, complaints) {
   });
 }
 
-/// Options: size [w, h] in CSS pixels; scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion;
+/// The page's own start document, all patches in their places and without the shaded surface: drawn in software, that
+/// would take nine tenths of the time. The tests that are about pixels ask for the full picture.
+async function loadLean(page) {
+  await page.evaluate(() => {
+    const document = window.knotwork.document();
+    document.objects[0].samples = { u: 24, v: 16 };
+    document.objects[0].patches = [];
+    document.display.surface = false;
+    window.knotwork.load(document);
+  });
+}
+
+/// Options: full: the page as a reader finds it; size [w, h] in CSS pixels; scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion;
 /// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page):
 /// runs before the page is opened; expected: patterns of complaints that the test provokes.
 export async function openPage(options = {}) {
-  const [width, height] = options.size ?? [1000, 620];
+  const [width, height] = options.size ?? [900, 560];
   const browser = options.browser ?? (await sharedBrowser());
   const context = await browser.newContext({
     viewport: { width, height },
@@ -144,6 +156,7 @@ export async function openPage(options = {}) {
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);
+    if (!options.full) await loadLean(page);
   }
   return {
     page,
@@ -155,7 +168,7 @@ export async function openPage(options = {}) {
 
 /// A test on a page of its own. It fails when the browser has complained about anything.
 export function pageTest(name, options, body) {
-  test(name, async () => {
+  test(name, { timeout: 120_000 }, async () => {
     const opened = await openPage(options);
     try {
       await body(opened.page, opened);

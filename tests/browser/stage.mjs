@@ -153,6 +153,13 @@ export async function hasWidget(page, label) {
   return (await call(page, 'widgets')).some((item) => item.label === label);
 }
 
+/// What the button for undo offers; the same text before and after means that nothing was added to the history.
+export async function nextUndo(page) {
+  await frameDrawn(page);
+  const button = page.getByRole('button', { name: /^Undo/ });
+  return `${await button.textContent()} ${await button.getAttribute('aria-disabled')}`.replaceAll(/\s+/g, ' ').trim();
+}
+
 /// A real click on an item of the panel.
 export async function clickWidget(page, label) {
   const { centre } = await widget(page, label);
@@ -168,7 +175,7 @@ export async function showMore(page, label) {
 }
 
 /// Mouse down at `from`, a few moves, and up at `to` unless `hold`.
-export async function drag(page, from, to, { steps = 8, hold = false, button = 'left' } = {}) {
+export async function drag(page, from, to, { steps = 5, hold = false, button = 'left' } = {}) {
   await page.mouse.move(...from);
   await page.mouse.down({ button });
   await page.mouse.move(...to, { steps });
@@ -186,7 +193,7 @@ export async function fingers(page) {
     });
   return {
     /// Moves each finger from its start to its end along a straight line.
-    async sweep(starts, ends, steps = 10) {
+    async sweep(starts, ends, steps = 6) {
       await send('touchStart', starts);
       for (let k = 1; k <= steps; ++k) {
         const share = k / steps;
