@@ -13,6 +13,7 @@
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/palette.h"
 #include "knotwork/scene/picking.h"
+#include "web/composition.h"
 #include "web/stage_ornaments.h"
 
 namespace knotwork::web {
@@ -36,6 +37,23 @@ glm::dvec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 double milliseconds() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// Points of the surface on a coarse grid: enough to place its picture and its shadow.
+std::vector<glm::dvec3> outline(const BlendingSurface& surface) {
+  constexpr std::size_t steps = 20;
+  std::array<double, steps + 1> u{}, v{};
+  for (std::size_t k = 0; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
+    u[k] = std::lerp(surface.knots_u().start(), surface.knots_u().end(), share);
+    v[k] = std::lerp(surface.knots_v().start(), surface.knots_v().end(), share);
+  }
+  std::vector<SurfaceJet> jets(u.size() * v.size());
+  surface.evaluate_grid(u, v, jets);
+  std::vector<glm::dvec3> points;
+  points.reserve(jets.size());
+  for (const SurfaceJet& jet : jets) points.push_back(vec(jet.s));
+  return points;
 }
 
 bool same(const scene::Roll& a, const scene::Roll& b) { return a.u == b.u && a.v == b.v; }
@@ -82,6 +100,7 @@ void App::resize(double css_width, double css_height, double pixel_ratio) {
   viewport_.height = std::max(css_height, 1.0);
   if (pixel_ratio != viewport_.pixel_ratio) fonts_stale_ = true;
   viewport_.pixel_ratio = pixel_ratio;
+  recompose_ = true;
   request_frames(frames_after_event);
 }
 
@@ -103,9 +122,15 @@ void App::request_frames(int count) { pending_frames_ = std::max(pending_frames_
 void App::changed() {
   ++revision_;
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+  if (scene::model_kind(object.model) != roll_.model) {
+    snap();
+    recompose_ = recompose_ || camera_is_ours_;
+  }
   if (interaction_.selected &&
       (interaction_.selected->first >= object.locals_u || interaction_.selected->second >= object.locals_v))
     interaction_.selected.reset();
+  // Only the sheet rolls. A fixed model has no shape on the way, least of all one that cannot close.
+  if (scene::model_kind(object.model) != scene::ModelKind::sheet) roll_.from = roll_.shown = scene::rest_roll(object);
   request_frames(2);
 }
 
@@ -128,7 +153,10 @@ Status App::perform(const scene::Command& command) {
 
 Status App::load(scene::Document document) {
   Status status = perform(scene::LoadDocument{std::move(document)});
-  if (status) snap();
+  if (status) {
+    snap();
+    camera_is_ours_ = false;  // the document says where it stands
+  }
   return status;
 }
 
@@ -136,7 +164,7 @@ Status App::open_chapter(std::string_view id) {
   const scene::Chapter* chapter = scene::find_chapter(id);
   if (chapter == nullptr) return Error{"", "There is no chapter \"" + std::string(id) + "\"."};
   Status status = load(chapter->start_document());
-  if (status) frame_all(true);
+  if (status && framed_once_) frame_all(true);
   return status;
 }
 
@@ -150,16 +178,26 @@ void App::gesture(bool open) {
 }
 
 bool App::undo() {
+  const scene::Camera camera = document_.camera;
   if (!history_.undo(document_)) return false;
-  camera_transition_.reset();
-  changed();
+  after_travel(camera);
   return true;
 }
 
-bool App::redo() {
-  if (!history_.redo(document_)) return false;
+/// Back or forth in the history. Where that has moved the camera, a whole document has come back: nothing is eased.
+void App::after_travel(const scene::Camera& camera_before) {
   camera_transition_.reset();
+  if (!(document_.camera == camera_before)) {
+    snap();
+    camera_is_ours_ = false;
+  }
   changed();
+}
+
+bool App::redo() {
+  const scene::Camera camera = document_.camera;
+  if (!history_.redo(document_)) return false;
+  after_travel(camera);
   return true;
 }
 
@@ -173,6 +211,7 @@ void App::select(std::optional<scene::PatchIndex> patch) {
 void App::snap() {
   roll_.from = roll_.to = roll_.shown = scene::rest_roll(scene::blending_surface(document_));
   roll_.active = false;
+  roll_.model = scene::model_kind(scene::blending_surface(document_).model);
   camera_transition_.reset();
 }
 
@@ -184,24 +223,29 @@ BlendingSurface App::surface_at_rest() const {
 
 void App::update_geometry() {
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
-  scene::BlendingSurfaceObject shape = object;
-  shape.edits.clear();
-  if (!geometry_.surface || !(shape == geometry_.shape) || !same(roll_.shown, geometry_.roll)) {
-    const bool recolour = !geometry_.surface || shape.locals_u != geometry_.shape.locals_u ||
-                          shape.locals_v != geometry_.shape.locals_v ||
-                          shape.topology_u != geometry_.shape.topology_u ||
-                          shape.topology_v != geometry_.shape.topology_v || !same(roll_.shown, geometry_.roll);
-    geometry_.surface = scene::build_surface(object, document_.animation, roll_.shown);
-    geometry_.shape = std::move(shape);
-    geometry_.roll = roll_.shown;
-    geometry_.tables_uploaded = false;
-    if (recolour) geometry_.hues_uploaded = false;
-  } else {
+  const bool same_shape = geometry_.surface && same(roll_.shown, geometry_.roll) && same_static_part(object);
+  if (same_shape && object.edits == geometry_.object.edits && document_.animation == geometry_.animation) return;
+  if (same_shape) {
     scene::update_locals(*geometry_.surface, object, document_.animation, roll_.shown);
+  } else {
+    geometry_.surface = scene::build_surface(object, document_.animation, roll_.shown);
+    geometry_.roll = roll_.shown;
+    geometry_.tables_uploaded = geometry_.hues_uploaded = false;
   }
+  geometry_.object = object;
+  geometry_.animation = document_.animation;
   geometry_.maps_uploaded = false;
   geometry_.net.reset();
   handles_.clear();
+}
+
+/// Whether `object` needs the tables that stand on the GPU: it differs from what they were made from in edits only.
+bool App::same_static_part(const scene::BlendingSurfaceObject& object) const {
+  const scene::BlendingSurfaceObject& made = geometry_.object;
+  return object.model == made.model && object.topology_u == made.topology_u && object.topology_v == made.topology_v &&
+         object.locals_u == made.locals_u && object.locals_v == made.locals_v && object.blending == made.blending &&
+         object.blending_parameter == made.blending_parameter && object.samples_u == made.samples_u &&
+         object.samples_v == made.samples_v;
 }
 
 const scene::PickNet& App::net() {
@@ -214,8 +258,8 @@ void App::upload() {
   const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
   if (!geometry_.tables_uploaded) {
     const int most = roll_.active ? rolling_samples : scene::max_samples;
-    renderer_.upload(
-        blending_tables(surface, std::min(geometry_.shape.samples_u, most), std::min(geometry_.shape.samples_v, most)));
+    renderer_.upload(blending_tables(surface, std::min(geometry_.object.samples_u, most),
+                                     std::min(geometry_.object.samples_v, most)));
     geometry_.tables_uploaded = true;
   }
   if (!geometry_.maps_uploaded) {
@@ -227,8 +271,8 @@ void App::upload() {
     hues.reserve(static_cast<std::size_t>(n_u) * static_cast<std::size_t>(n_v));
     for (int i = 0; i < n_u; ++i) {
       for (int j = 0; j < n_v; ++j) {  // the ghost past the last local, while rolling, is local 0 again
-        const scene::PatchIndex patch{i % geometry_.shape.locals_u, j % geometry_.shape.locals_v};
-        hues.push_back(scene::patch_hue(scene::patch_hue_index(geometry_.shape, patch), theme_.dark));
+        const scene::PatchIndex patch{i % geometry_.object.locals_u, j % geometry_.object.locals_v};
+        hues.push_back(scene::patch_hue(scene::patch_hue_index(geometry_.object, patch), theme_.dark));
       }
     }
     renderer_.upload_hues(hues, n_u, n_v);
@@ -240,26 +284,16 @@ void App::upload() {
 void App::update_floor() {
   const bool steady = !document_.animation.playing && interaction_.drag == InteractionState::Drag::none;
   if (steady || floor_.half_size <= 0) {
-    const BlendingSurface& surface = *geometry_.surface;
-    constexpr int steps = 24;
-    std::array<double, steps + 1> u{}, v{};
-    for (int k = 0; k <= steps; ++k) {
-      const double share = static_cast<double>(k) / steps;
-      u[static_cast<std::size_t>(k)] = std::lerp(surface.knots_u().start(), surface.knots_u().end(), share);
-      v[static_cast<std::size_t>(k)] = std::lerp(surface.knots_v().start(), surface.knots_v().end(), share);
+    glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
+    for (const glm::dvec3& point : outline(*geometry_.surface)) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
     }
-    std::vector<SurfaceJet> jets(u.size() * v.size());
-    surface.evaluate_grid(u, v, jets);
-    Eigen::Vector3d low = jets.front().s, high = low;
-    for (const SurfaceJet& jet : jets) {
-      low = low.cwiseMin(jet.s);
-      high = high.cwiseMax(jet.s);
-    }
-    const double size = (high - low).norm();
-    floor_.x = 0.5 * (low.x() + high.x());
-    floor_.y = 0.5 * (low.y() + high.y());
+    const double size = glm::distance(low, high);
+    floor_.x = 0.5 * (low.x + high.x);
+    floor_.y = 0.5 * (low.y + high.y);
     floor_.half_size = 1.05 * size;
-    floor_target_ = low.z() - 0.12 * size;
+    floor_target_ = low.z - 0.12 * size;
   }
   const double gap = floor_target_ - floor_.height;
   if (std::abs(gap) < 1e-3 || reduced_motion_ || !framed_once_) {
@@ -295,15 +329,8 @@ void App::advance_roll(double now) {
     roll_.active = !reduced_motion_;
     if (!roll_.active) roll_.shown = rest;
 
-    // The camera keeps the picture's size: nearer for a shape that is smaller than the last.
-    const scene::PickNet before = geometry_.net ? *geometry_.net : scene::PickNet(*geometry_.surface);
-    const scene::PickNet after(surface_at_rest());
-    if (before.radius() > 0 && interaction_.drag == InteractionState::Drag::none) {
-      scene::Camera camera = camera_transition_ ? camera_transition_->to : document_.camera;
-      camera.target += after.centre() - before.centre();
-      camera.distance *= after.radius() / before.radius();
-      camera_transition_ = CameraTransition{document_.camera, camera, now, roll_.active ? roll_ms : 0};
-    }
+    if (camera_is_ours_ && interaction_.drag == InteractionState::Drag::none)
+      compose_for(surface_at_rest(), roll_.active ? roll_ms : 0);
   }
   if (!roll_.active) return;
   const double share = (now - roll_.start) / roll_ms;
@@ -327,9 +354,10 @@ void App::advance(double now) {
   advance_roll(now);
   if (camera_transition_) {
     const CameraTransition& move = *camera_transition_;
-    const double share = move.duration > 0 ? (now - move.start) / move.duration : 1;
-    const scene::Camera camera = share >= 1 ? move.to : between(move.from, move.to, ease(share));
-    (void)apply(document_, scene::SetCamera{camera});
+    const double share = move.duration > 0 ? ease((now - move.start) / move.duration) : 1;
+    (void)apply(document_, scene::SetCamera{share >= 1 ? move.to : between(move.from, move.to, share)});
+    for (std::size_t k = 0; k < insets_.size(); ++k)
+      insets_[k] = std::lerp(move.insets_from[k], move.insets_to[k], share);
     if (share >= 1) camera_transition_.reset();
     request_frames(1);
   }
@@ -340,17 +368,29 @@ void App::advance(double now) {
   if (!notice_.empty()) request_frames(1);
 }
 
+/// The largest picture of the surface that panel and clock leave room for, reached over `duration` milliseconds.
+void App::compose_for(const BlendingSurface& surface, double duration) {
+  const std::vector<glm::dvec3> points = outline(surface);
+  const Composition composition = compose(document_.camera, points, viewport_, panel_output_.regions);
+  const Viewport& to = composition.viewport;
+  camera_transition_ = CameraTransition{.from = document_.camera,
+                                        .to = composition.camera,
+                                        .insets_from = insets_,
+                                        .insets_to = {to.inset_left, to.inset_top, to.inset_right, to.inset_bottom},
+                                        .start = now_,
+                                        .duration = reduced_motion_ ? 0 : duration};
+  if (camera_transition_->duration <= 0) {
+    (void)apply(document_, scene::SetCamera{camera_transition_->to});
+    insets_ = camera_transition_->insets_to;
+    camera_transition_.reset();
+  }
+  camera_is_ours_ = true;
+  request_frames(2);
+}
+
 void App::frame_all(bool at_once) {
   if (!geometry_.surface || at_once) update_geometry();
-  const scene::PickNet& ball = net();
-  const scene::Camera to = web::frame(document_.camera, vec(ball.centre()), ball.radius(), free_viewport());
-  if (at_once || reduced_motion_) {
-    (void)apply(document_, scene::SetCamera{to});
-    camera_transition_.reset();
-  } else {
-    camera_transition_ = CameraTransition{document_.camera, to, now_, camera_ms};
-  }
-  request_frames(2);
+  compose_for(*geometry_.surface, at_once ? 0 : camera_ms);
 }
 
 // --- Frame ---------------------------------------------------------------------------------------------------------
@@ -414,10 +454,14 @@ void App::run_interface(double seconds) {
   if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
   if (panel_output_.frame_all) frame_all(false);
   if (panel_output_.wants_frame) request_frames(2);
-  if (!framed_once_) {  // the insets are known now
-    frame_all(true);
+  if (recompose_ && !panel_output_.wants_frame) {  // the panel stands where it will stay
+    recompose_ = false;
     framed_once_ = true;
-    request_frames(2);
+    const scene::Camera camera = document_.camera;
+    const bool ours = camera_is_ours_;
+    frame_all(true);
+    if (!ours) (void)apply(document_, scene::SetCamera{camera});
+    camera_is_ours_ = ours;
   }
 }
 
@@ -428,10 +472,10 @@ void App::draw() {
 
 Viewport App::free_viewport() const {
   Viewport viewport = viewport_;
-  viewport.inset_left = panel_output_.insets.inset_left;
-  viewport.inset_top = panel_output_.insets.inset_top;
-  viewport.inset_right = panel_output_.insets.inset_right;
-  viewport.inset_bottom = panel_output_.insets.inset_bottom;
+  viewport.inset_left = insets_[0];
+  viewport.inset_top = insets_[1];
+  viewport.inset_right = insets_[2];
+  viewport.inset_bottom = insets_[3];
   return viewport;
 }
 
@@ -448,6 +492,7 @@ Picture App::picture() {
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   Picture picture;
   picture.view = view();
+  picture.target = vec(document_.camera.target);
   picture.theme = theme_;
   picture.display = document_.display;
   picture.floor = floor_;
@@ -488,7 +533,10 @@ void App::apply_outcome(const Outcome& outcome) {
   }
   if (outcome.begin_gesture) history_.begin_gesture();
   for (const scene::Command& command : outcome.commands) {
-    if (std::holds_alternative<scene::SetCamera>(command)) camera_transition_.reset();
+    if (std::holds_alternative<scene::SetCamera>(command)) {
+      camera_transition_.reset();
+      camera_is_ours_ = false;
+    }
     (void)perform(command);
   }
   if (outcome.end_gesture) {

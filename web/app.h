@@ -77,16 +77,20 @@ class App {
   /// The sheet on its way between two topologies.
   struct RollTransition {
     scene::Roll from{1, 1}, to{1, 1}, shown{1, 1};
+    scene::ModelKind model = scene::ModelKind::sheet;  ///< one model does not roll into another
     double start = 0;
     bool active = false;
   };
+  using Insets = std::array<double, 4>;  ///< left, top, right, bottom, CSS pixels
   struct CameraTransition {
     scene::Camera from, to;
+    Insets insets_from, insets_to;
     double start = 0, duration = 0;
   };
-  /// Geometry of the present document, rebuilt by parts: `shape` decides the static part, edits and clock the maps.
+  /// Geometry of the present document, rebuilt by parts: edits and clock change the maps alone.
   struct Geometry {
-    scene::BlendingSurfaceObject shape;  ///< without edits
+    scene::BlendingSurfaceObject object;
+    scene::Animation animation;
     scene::Roll roll{-1, -1};
     std::optional<BlendingSurface> surface;
     std::optional<scene::PickNet> net;  ///< made when asked for
@@ -96,6 +100,8 @@ class App {
   void advance(double now);
   void advance_roll(double now);
   void update_geometry();
+  bool same_static_part(const scene::BlendingSurfaceObject& object) const;
+  void after_travel(const scene::Camera& camera_before);
   void update_floor();
   void upload();
   void run_interface(double seconds);
@@ -105,6 +111,7 @@ class App {
   void request_frames(int count);
   void say(std::string notice);
   void frame_all(bool at_once);
+  void compose_for(const BlendingSurface& surface, double duration);
   void snap();
   const scene::PickNet& net();
   View view() const;
@@ -128,12 +135,15 @@ class App {
   bool fonts_stale_ = true;
   bool context_ready_ = false;
   bool reduced_motion_ = false;
-  bool framed_once_ = false;
+  bool framed_once_ = false;  ///< the panel has been laid out, so that the picture could be placed
 
   Geometry geometry_;
   std::vector<Handle> handles_;
   RollTransition roll_;
   std::optional<CameraTransition> camera_transition_;
+  Insets insets_{};             ///< the part of the stage that the picture is not centred in
+  bool camera_is_ours_ = true;  ///< composed by the program; false once the reader has moved it
+  bool recompose_ = false;
   Floor floor_;
   double floor_target_ = -1;
 

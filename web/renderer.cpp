@@ -15,7 +15,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr int shadow_size = 512, soft_shadow_size = 256;
+constexpr int shadow_size = 256, soft_shadow_size = 128;
 
 /// A program with the uniform locations looked up once, by name, when asked for.
 class DrawProgram {
@@ -263,7 +263,7 @@ void Renderer::draw(const Picture& picture) {
     gl_->ground.set("u_image", 0);
     gl_->ground.set("u_shade", picture.theme.dark ? glm::vec3(0.0F) : glm::vec3(0.24F, 0.21F, 0.17F));
     const auto low = static_cast<float>(std::clamp(above / (0.35 * picture.floor.half_size), 0.0, 1.0));
-    gl_->ground.set("u_opacity", (picture.theme.dark ? 0.62F : 0.34F) * low);
+    gl_->ground.set("u_opacity", (picture.theme.dark ? 0.6F : 0.27F) * low);
     glBindVertexArray(gl_->empty_array.get());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     ++stats_.draw_calls;
@@ -286,7 +286,8 @@ void Renderer::draw(const Picture& picture) {
     const glm::dvec3 fill = glm::normalize(0.8 * view.right + 0.1 * view.up - 0.1 * view.forward);
     program.set("u_key_light", glm::vec3(key));
     program.set("u_fill_light", glm::vec3(fill));
-    program.set("u_ambient", picture.theme.dark ? 0.24F : 0.34F);
+    program.set("u_ambient", picture.theme.dark ? 0.36F : 0.56F);
+    program.set("u_sheen", picture.theme.dark ? 0.62F : 1.0F);
     program.set("u_plain_hue", oklab(picture.theme.dark ? Colour{0.62F, 0.66F, 0.71F} : Colour{0.80F, 0.79F, 0.76F}));
     program.set("u_patch_colours", picture.display.patch_colours ? 1.0F : 0.0F);
     program.set("u_knot_lines", picture.display.knot_lines ? (picture.theme.dark ? 0.5F : 0.42F) : 0.0F);
@@ -347,7 +348,7 @@ void Renderer::draw_shadow(const Picture& picture) {
   glBindVertexArray(gl_->empty_array.get());
   glViewport(0, 0, soft_shadow_size, soft_shadow_size);
   const Texture* source = &gl_->shadow_image.texture;
-  constexpr float reach = 1.5F / static_cast<float>(soft_shadow_size);
+  constexpr float reach = 1.4F / static_cast<float>(soft_shadow_size);
   for (int pass = 0; pass < 4; ++pass) {
     const DrawTarget& target = pass % 2 == 0 ? gl_->soft_b : gl_->soft_a;
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
@@ -373,8 +374,10 @@ void Renderer::draw_sheets(const Picture& picture) {
   program.set("u_closed", glm::ivec2(picture.closed_u ? 1 : 0, picture.closed_v ? 1 : 0));
   program.set("u_eye", glm::vec3(view.eye));
   program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
+  program.set("u_pixel_size",
+              static_cast<float>(view.pixel_size(view.eye + glm::length(view.eye - picture.target) * view.forward)));
   const bool all = picture.display.local_patches;
-  program.set("u_opacity", all ? 0.26F : 0.16F);
+  program.set("u_opacity", all ? 0.34F : 0.22F);
   program.set("u_only", all || !picture.held ? glm::ivec2(-1) : glm::ivec2(picture.held->first, picture.held->second));
   glBindVertexArray(gl_->sheet_array.get());
   const int instances = all ? picture.locals_u * picture.locals_v : 1;

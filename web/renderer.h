@@ -37,6 +37,7 @@ struct Floor {
 /// One picture of the stage: plain values, ready to be uploaded and drawn.
 struct Picture {
   View view;
+  glm::dvec3 target{0};  ///< what the camera turns about
   Theme theme;
   scene::Display display;
   Floor floor;

@@ -1,6 +1,7 @@
 # Needs neither GL nor Emscripten nor ImGui: also built natively, with tests.
 set(KNOTWORK_WEB_LOGIC_SOURCES
   camera.cpp
+  composition.cpp
   gizmo.cpp
   interaction.cpp
   patch_drag.cpp

@@ -46,7 +46,7 @@ SurfaceVertex surface_vertex(ivec2 vertex) {
 }
 
 // The mixture of the four hues with the very weights that blend the positions; the chroma that opposite hues would
-// cancel is kept up by half, so that the mixture does not go muddy.
+// cancel is kept up in part, so that the mixture does not go muddy.
 vec3 surface_hue(ivec2 vertex) {
   vec4 bu = texelFetch(u_blend_u, ivec2(vertex.x, 0), 0);
   vec4 bv = texelFetch(u_blend_v, ivec2(vertex.y, 0), 0);
@@ -59,6 +59,6 @@ vec3 surface_hue(ivec2 vertex) {
   vec3 lab = mix(mix(h00, h10, bu.x), mix(h01, h11, bu.x), bv.x);
   float chroma = mix(mix(length(h00.yz), length(h10.yz), bu.x), mix(length(h01.yz), length(h11.yz), bu.x), bv.x);
   float kept = length(lab.yz);
-  float raised = mix(kept, chroma, 0.6) * smoothstep(0.0, 0.03, kept);
+  float raised = mix(kept, chroma, 0.4 * smoothstep(0.0, 0.06, kept));
   return vec3(lab.x, kept > 1e-5 ? lab.yz * (raised / kept) : lab.yz);
 }

@@ -7,8 +7,8 @@ uniform vec2 u_step;
 void main() {
   float sum = 0.0;
   float weights = 0.0;
-  for (int k = -8; k <= 8; ++k) {
-    float weight = exp(-float(k * k) / 24.0);
+  for (int k = -4; k <= 4; ++k) {
+    float weight = exp(-float(k * k) / 7.0);
     sum += weight * texture(u_image, v_place + float(k) * u_step).r;
     weights += weight;
   }

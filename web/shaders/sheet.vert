@@ -4,11 +4,13 @@ uniform ivec2 u_steps;
 uniform ivec2 u_last;          // last grid column and row
 uniform ivec2 u_locals;        // locals to draw: n_u, n_v
 uniform ivec2 u_closed;        // 1 where the direction wraps
+uniform float u_pixel_size;    // model units a CSS pixel covers at the target
 uniform ivec2 u_only;          // the one local to draw, or (-1, -1)
 
 out vec3 v_point;
 out vec3 v_normal;
 flat out vec3 v_hue;
+out float v_apart;   // how far from the blending surface, in CSS pixels or so
 out vec2 v_support;  // -1 .. 1 from edge to edge of the support
 
 int grid_position(int centre, int offset, int last, int closed) {
@@ -33,6 +35,7 @@ void main() {
   v_support = vec2(offset) / vec2(u_steps);
   if (u_closed.x == 0) v_support.x = vertex.x == 0 || vertex.x == u_last.x ? sign(v_support.x + 1e-6) : v_support.x;
   if (u_closed.y == 0) v_support.y = vertex.y == 0 || vertex.y == u_last.y ? sign(v_support.y + 1e-6) : v_support.y;
+  v_apart = distance(v_point, surface_vertex(vertex).point) / u_pixel_size;
   gl_Position = u_view_projection * vec4(v_point, 1.0);
   gl_Position.z -= 2e-4 * gl_Position.w;  // in front of the surface where it coincides with it
 }

@@ -1,8 +1,8 @@
-in vec3 v_point;
-in vec3 v_normal;
-in vec3 v_hue;
-in vec2 v_grid;
-in vec2 v_knot;
+centroid in vec3 v_point;
+centroid in vec3 v_normal;
+centroid in vec3 v_hue;
+centroid in vec2 v_grid;
+centroid in vec2 v_knot;
 out vec4 colour;
 
 uniform vec3 u_eye;
@@ -15,6 +15,7 @@ uniform float u_wireframe;   // opacity
 uniform vec3 u_line_colour;  // sRGB
 uniform float u_pixel_ratio;
 uniform float u_ambient;
+uniform float u_sheen;       // brightness of what the gloss reflects
 uniform vec4 u_held_cells;   // knot range (u0, u1, v0, v1) of the held patch's support, in intervals
 uniform vec2 u_knot_period;  // number of intervals in a closed direction, 0 in an open one
 uniform float u_held;        // how strongly the support is lit
@@ -38,26 +39,29 @@ void main() {
   if (dot(normal, normal) < 0.25) normal = cross(dFdx(v_point), dFdy(v_point));  // a pole: the facet's own normal
   normal = normalize(normal);
   vec3 to_eye = normalize(u_eye - v_point);
-  bool front = gl_FrontFacing;
-  if (!front) normal = -normal;
+  // The back is what faces away for certain: just behind a silhouette the smooth normal still looks at the reader.
+  float back = gl_FrontFacing ? 0.0 : smoothstep(0.04, 0.22, -dot(normal, to_eye));
+  if (back > 0.5) normal = -normal;
   if (dot(normal, to_eye) < 0.0) normal = normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
   vec3 hue = mix(u_plain_hue, v_hue, u_patch_colours);
-  if (!front) hue = vec3(hue.x * 0.93, hue.yz * 0.72);
+  hue = mix(hue, vec3(hue.x * 0.93, hue.yz * 0.72), back);
   vec3 albedo = linear_from_oklab(hue);
 
-  // A large soft key light from the upper left, a cool fill from behind, light from the floor.
-  float key = smoothstep(-0.35, 1.0, dot(normal, u_key_light));
+  // A large soft key light from the upper left, a cool fill from the right, light from sky and floor; gloss on top.
+  float key = smoothstep(-0.45, 1.0, dot(normal, u_key_light));
   float fill = 0.5 + 0.5 * dot(normal, u_fill_light);
   float sky = 0.5 + 0.5 * normal.z;
-  vec3 light = vec3(1.00, 0.975, 0.94) * (0.98 * key * key + 0.16 * key) + vec3(0.86, 0.92, 1.0) * (0.20 * fill) +
-               mix(vec3(0.92, 0.86, 0.80) * 0.55, vec3(0.94, 0.97, 1.0), sky) * u_ambient;
+  vec3 light = vec3(1.00, 0.98, 0.95) * (0.74 * key * key + 0.20 * key) + vec3(0.90, 0.95, 1.0) * (0.16 * fill) +
+               mix(vec3(0.95, 0.90, 0.85) * 0.62, vec3(0.97, 0.985, 1.0), sky) * u_ambient;
   vec3 half_key = normalize(u_key_light + to_eye);
   float facing = max(dot(normal, to_eye), 0.0);
-  float fresnel = 0.035 + 0.5 * pow(1.0 - facing, 5.0);
-  float gloss = pow(max(dot(normal, half_key), 0.0), 70.0) * 0.55 + pow(max(dot(normal, half_key), 0.0), 14.0) * 0.09;
-  float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * sky) * 0.22;
-  vec3 lit = albedo * light + vec3(1.0, 0.99, 0.97) * (gloss + fresnel * 0.10 * sky) + albedo * rim;
+  float fresnel = 0.04 + 0.6 * pow(1.0 - facing, 4.0);
+  float glance = max(dot(normal, half_key), 0.0);
+  float gloss = 0.30 * pow(glance, 90.0) + 0.10 * pow(glance, 18.0);
+  vec3 reflected = mix(vec3(0.80, 0.76, 0.72), vec3(1.0, 1.0, 1.0), smoothstep(0.25, 0.9, sky)) * u_sheen;
+  vec3 lit = albedo * light;
+  lit = mix(lit, reflected, fresnel * 0.42 * (0.35 + 0.65 * sky)) + vec3(1.0, 0.99, 0.97) * gloss * u_sheen;
   if (u_held > 0.0) {
     float within = inside_support(v_knot.x, u_held_cells.x, u_held_cells.y, u_knot_period.x) *
                    inside_support(v_knot.y, u_held_cells.z, u_held_cells.w, u_knot_period.y);

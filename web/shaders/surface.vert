@@ -2,11 +2,12 @@ uniform mat4 u_view_projection;
 uniform int u_rows;
 uniform vec2 u_steps;
 
-out vec3 v_point;
-out vec3 v_normal;
-out vec3 v_hue;
-out vec2 v_grid;
-out vec2 v_knot;
+// Centroid: at silhouettes a pixel's centre lies off the triangle, and extrapolated values would sparkle.
+centroid out vec3 v_point;
+centroid out vec3 v_normal;
+centroid out vec3 v_hue;
+centroid out vec2 v_grid;
+centroid out vec2 v_knot;
 
 void main() {
   ivec2 vertex = ivec2(gl_VertexID / u_rows, gl_VertexID % u_rows);
