@@ -44,7 +44,7 @@ function start(bridge: Bridge, fonts: [Uint8Array, Uint8Array] | null): void {
     bridge.font(fonts[1], 600);
   }
   page = new Page(bridge, canvas);
-  stage = new Stage(canvas, bridge, (now) => page?.sync(now));
+  stage = new Stage(canvas, bridge, (now) => page?.sync(now), (error) => fail('failed', error));
   listen(canvas, bridge);
   api.attach(bridge);
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
@@ -60,7 +60,8 @@ function start(bridge: Bridge, fonts: [Uint8Array, Uint8Array] | null): void {
 
 /// A download can be tried again in place; a script that failed to load stays failed until the page is loaded anew.
 function fail(trouble: Trouble, error: unknown): void {
-  console.warn(error);
+  if (trouble === 'failed') console.error(error);
+  else console.warn(error);
   showTrouble(trouble, trouble === 'download' ? () => void begin() : reload);
   if (trouble !== 'download') api.settle(error instanceof Error ? error : new Error(String(error)));
 }

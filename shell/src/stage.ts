@@ -8,11 +8,18 @@ export class Stage {
   private readonly canvas: HTMLCanvasElement;
   private readonly bridge: Bridge;
   private readonly afterFrame: (now: number) => void;
+  private readonly onFailure: (error: unknown) => void;
 
-  constructor(canvas: HTMLCanvasElement, bridge: Bridge, afterFrame: (now: number) => void) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    bridge: Bridge,
+    afterFrame: (now: number) => void,
+    onFailure: (error: unknown) => void,
+  ) {
     this.canvas = canvas;
     this.bridge = bridge;
     this.afterFrame = afterFrame;
+    this.onFailure = onFailure;
   }
 
   /// Follows the canvas's size, the reader's settings, the page's visibility and the context's fate.
@@ -47,8 +54,13 @@ export class Stage {
 
   private draw(now: number): void {
     this.pending = 0;
-    if (this.bridge.frame(now)) this.request();
-    this.afterFrame(now);
+    try {
+      if (this.bridge.frame(now)) this.request();
+      this.afterFrame(now);
+    } catch (error) {
+      this.present = false;  // whatever it was, the next frame would not mend it
+      this.onFailure(error);
+    }
   }
 
   private watchSize(): void {
@@ -56,7 +68,7 @@ export class Stage {
       if (!entry) return;
       const { width, height } = entry.contentRect;
       const device = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-      this.bridge.resize(width, height, device && width > 0 ? device.inlineSize / width : devicePixelRatio);
+      this.bridge.resize(width, height, pixelRatio(width, device?.inlineSize));
       // A resized canvas is blank: fill it within this very frame.
       if (this.present) this.draw(performance.now());
     });
@@ -78,6 +90,14 @@ export class Stage {
       followRatio();
     }
   }
+}
+
+/// Device pixels in a CSS pixel: exact where the browser tells the canvas's own width in device pixels. (An emulated
+/// screen tells the width without its scale.)
+export function pixelRatio(width: number, deviceWidth: number | undefined): number {
+  if (!deviceWidth || !(width > 0)) return devicePixelRatio;
+  const exact = deviceWidth / width;
+  return Math.abs(exact / devicePixelRatio - 1) < 0.05 ? exact : devicePixelRatio;
 }
 
 /// Tells the state of a media query now and whenever it changes.
