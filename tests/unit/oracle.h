@@ -33,14 +33,17 @@ inline std::ostream& operator<<(std::ostream& out, const Closeness& c) {
   return out << "error " << c.error << ", bound " << c.bound;
 }
 
+/// The comparison that is quiet about a NaN, and false.
+inline Closeness closeness(double error, double bound) { return {std::islessequal(error, bound), error, bound}; }
+
 inline Closeness close(double actual, double expected, double tolerance, double scale = 0) {
   const double error = std::abs(actual - expected), bound = tolerance * std::max(std::abs(expected), scale);
-  return {error <= bound, error, bound};
+  return closeness(error, bound);
 }
 inline Closeness close(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected, double tolerance,
                        double scale = 0) {
   const double error = (actual - expected).norm(), bound = tolerance * std::max(expected.norm(), scale);
-  return {error <= bound, error, bound};
+  return closeness(error, bound);
 }
 
 /// The six vectors of a jet in a fixed order, so that tests need not name each.

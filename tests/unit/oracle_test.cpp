@@ -23,7 +23,6 @@ TEST_CASE("close takes a natural magnitude where the expected number cancels") {
 
 TEST_CASE("close rejects what is not a number") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(Closeness{nan <= 1.0, nan, 1.0});
   CHECK_FALSE(close(nan, 1.0, 1e-12));
 }
 

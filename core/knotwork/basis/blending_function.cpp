@@ -159,13 +159,16 @@ Result<BlendingFunction> BlendingFunction::make(BlendingKind kind, int parameter
 
 Result<BlendingFunction> BlendingFunction::make(const ExpoRationalParameters& parameters) {
   const auto in_range = [](double x) {
-    return x >= ExpoRationalParameters::least && x <= ExpoRationalParameters::greatest;
+    // Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
+    return std::isfinite(x) && x >= ExpoRationalParameters::least && x <= ExpoRationalParameters::greatest;
   };
   const char* range = "This intrinsic parameter must lie between 1/16 and 16.";
   if (!in_range(parameters.alpha)) return Error{"alpha", range};
   if (!in_range(parameters.beta)) return Error{"beta", range};
   if (!in_range(parameters.gamma)) return Error{"gamma", range};
-  if (!(parameters.lambda >= 0 && parameters.lambda <= 1)) return Error{"lambda", "Lambda must lie between 0 and 1."};
+  if (!std::isfinite(parameters.lambda) || parameters.lambda < 0 || parameters.lambda > 1) {
+    return Error{"lambda", "Lambda must lie between 0 and 1."};
+  }
   return BlendingFunction(BlendingKind::expo_rational, 0, std::make_shared<const ExpoRationalTable>(parameters));
 }
 

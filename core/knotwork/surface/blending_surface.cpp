@@ -87,14 +87,17 @@ Eigen::Vector3d model_origin(const ModelSurface& model, const KnotVector& knots_
   return evaluate(model, knots_u[i + 1], knots_v[j + 1]).s;
 }
 
+/// Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
 bool usable(const Eigen::Affine3d& map) {
-  const auto top = map.matrix().topRows<3>();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      if (!(std::abs(top(row, column)) <= largest_entry)) return false;
+  constexpr double bottom[4] = {0, 0, 0, 1};
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      const double entry = map.matrix()(row, column);
+      if (!std::isfinite(entry) || std::abs(entry) > largest_entry) return false;
+      if (row == 3 && entry != bottom[column]) return false;
     }
   }
-  return map.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
+  return true;
 }
 
 }  // namespace

@@ -16,6 +16,9 @@ constexpr double pi = std::numbers::pi;
 /// Bound on lengths and coordinates of a model, so that nothing computed from them overflows.
 constexpr double largest_length = 1e6, smallest_length = 1e-6;
 
+/// Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
+bool within(double x, double least, double greatest) { return std::isfinite(x) && x >= least && x <= greatest; }
+
 struct Point {
   Taylor2 x, y, z;
 };
@@ -66,7 +69,7 @@ struct NamedLength {
 };
 Status check_lengths(std::initializer_list<NamedLength> lengths) {
   for (const NamedLength& length : lengths) {
-    if (!(length.value >= smallest_length && length.value <= largest_length)) {
+    if (!within(length.value, smallest_length, largest_length)) {
       return Error{length.name, "This length must be a positive number between 0.000001 and 1000000."};
     }
   }
@@ -80,7 +83,7 @@ struct NamedVector {
 Status check(const Plane& m) {
   for (const NamedVector& vector : {NamedVector{"origin", m.origin}, {"u_axis", m.u_axis}, {"v_axis", m.v_axis}}) {
     for (int k = 0; k < 3; ++k) {
-      if (!(std::abs(vector.value[k]) <= largest_length)) {
+      if (!within(vector.value[k], -largest_length, largest_length)) {
         return Error{vector.name, "Each coordinate must be a number of absolute value at most 1000000."};
       }
     }
@@ -103,8 +106,8 @@ Status check(const Torus& m) {
 }
 
 Status check(const Sheet& m) {
-  if (!(m.bend_u >= 0 && m.bend_u <= 1)) return Error{"bend_u", "A bend must lie between 0 (flat) and 1 (closed)."};
-  if (!(m.bend_v >= 0 && m.bend_v <= 1)) return Error{"bend_v", "A bend must lie between 0 (flat) and 1 (closed)."};
+  if (!within(m.bend_u, 0, 1)) return Error{"bend_u", "A bend must lie between 0 (flat) and 1 (closed)."};
+  if (!within(m.bend_v, 0, 1)) return Error{"bend_v", "A bend must lie between 0 (flat) and 1 (closed)."};
   return check_lengths({{"flat_radius_u", m.flat_radius_u},
                         {"closed_radius_u", m.closed_radius_u},
                         {"flat_radius_v", m.flat_radius_v},
