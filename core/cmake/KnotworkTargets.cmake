@@ -26,6 +26,14 @@ function(knotwork_floating_point target)
   endif()
 endfunction()
 
+# knotwork_small(<target>): in the page's module, code that runs once an event or a frame is better small than fast; it
+# is downloaded by every reader. Evaluation and sampling (knotwork::geometry) stay optimized for speed.
+function(knotwork_small target)
+  if(EMSCRIPTEN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Oz>)
+  endif()
+endfunction()
+
 function(knotwork_exceptions target)
   if(NOT KNOTWORK_EXCEPTIONS)
     target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)

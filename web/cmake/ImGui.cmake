@@ -32,7 +32,6 @@ target_compile_definitions(knotwork_imgui PUBLIC
   IMGUI_DISABLE_DEBUG_TOOLS
   IMGUI_DISABLE_FILE_FUNCTIONS         # no file system in the page
   IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
-# Panels draw in a fraction of a millisecond either way; small code downloads faster.
-target_compile_options(knotwork_imgui PRIVATE $<$<CONFIG:Release>:-Oz>)
+knotwork_small(knotwork_imgui)
 knotwork_floating_point(knotwork_imgui)
 knotwork_exceptions(knotwork_imgui)
