@@ -57,9 +57,7 @@ Status perform(Document& document, const LoadDocument& command) {
 }
 
 Status perform(Document& document, const AdvanceClock& command) {
-  if (!(command.seconds >= 0) || !std::isfinite(command.seconds)) {
-    return Error{"seconds", "Must be a number that is not negative."};
-  }
+  if (!limits::elapsed.contains(command.seconds)) return Error{"seconds", number_message(limits::elapsed)};
   Animation& animation = document.animation;
   if (animation.playing) animation.time = std::fmod(animation.time + command.seconds * animation.speed, clock_period);
   return success();

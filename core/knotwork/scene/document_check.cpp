@@ -60,7 +60,8 @@ class Checker {
     for (int k = 0; k < 4; ++k) {
       if (!range.contains(q.coeffs()[k])) fail(element(name, k), number_message(range));
     }
-    if (std::abs(q.norm() - 1) > unit_tolerance) fail(name, "Must be a quaternion of length 1.");
+    // Only now is the length known to be a number.
+    if (ok() && std::abs(q.norm() - 1) > unit_tolerance) fail(name, "Must be a quaternion of length 1.");
   }
 
   template <class F>

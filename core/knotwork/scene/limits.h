@@ -1,15 +1,13 @@
 #pragma once
 
-#include <numbers>
-
 namespace knotwork::scene {
 
 /// The closed interval that a number of a document lies in. Stated once: the parameter table, the checks of commands
 /// and documents and (held to it by a test) the JSON Schema have their limits from here.
 struct Limits {
   double min, max;
-  /// False for NaN.
-  constexpr bool contains(double x) const { return min <= x && x <= max; }
+  /// False for NaN, which is asked about first: an ordered comparison with it would raise the invalid-operation flag.
+  constexpr bool contains(double x) const { return x == x && min <= x && x <= max; }
 };
 
 inline constexpr int min_locals = 2, max_locals = 128;      ///< local surfaces in one direction
@@ -30,6 +28,7 @@ inline constexpr Limits blending_parameter{0, 64};        ///< each family has n
 inline constexpr Limits azimuth{-1e4, 1e4};               ///< radians; many turns are no error
 inline constexpr Limits elevation{-1.57, 1.57};           ///< radians; just short of the poles
 inline constexpr Limits time{0, clock_period};            ///< seconds of the clock
+inline constexpr Limits elapsed{0, 1e9};                  ///< seconds of real time that the clock is advanced by
 inline constexpr Limits speed{0.1, 4};                    ///< seconds of the clock a second
 inline constexpr Limits amplitude{0, 3};                  ///< model units (a second, for the report's motion)
 inline constexpr Limits share{0, 1};

@@ -6,11 +6,12 @@ namespace knotwork::scene {
 
 namespace {
 
-/// The first four are the page's --local-a to --local-d.
+/// The first four are the page's --local-a to --local-d; then indigo, yellow, rust and ice, found by maximizing the
+/// least OKLab distance of any pair under normal and simulated protan, deutan and tritan vision.
 constexpr std::array<std::uint32_t, patch_hue_count> light{0x2f7fb8, 0xe08a1e, 0x3f9a6b, 0xb65a9c,
-                                                           0x4b4a9e, 0xd9c24a, 0xc9523a, 0x6fc4c0};
+                                                           0x433591, 0xdfd763, 0x8a3324, 0x66d0df};
 constexpr std::array<std::uint32_t, patch_hue_count> dark{0x5aa9e0, 0xf2aa4b, 0x66c092, 0xd98bc3,
-                                                          0x7f7fd6, 0xf0e07c, 0xe0664f, 0x9fe6e0};
+                                                          0x5461bd, 0xeee9a0, 0xb8483f, 0xa1f5f4};
 
 constexpr int positive_modulus(int a, int m) { return ((a % m) + m) % m; }
 

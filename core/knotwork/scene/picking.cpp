@@ -48,7 +48,8 @@ std::optional<TriangleHit> meet(const Ray& ray, const Eigen::Vector3d& p, const 
                                 const Eigen::Vector3d& r) {
   const Eigen::Vector3d e1 = q - p, e2 = r - p, h = ray.direction.cross(e2);
   const double determinant = e1.dot(h);
-  if (determinant == 0) return std::nullopt;
+  // Seen edge on, or no triangle at all.
+  if (std::abs(determinant) <= 1e-14 * e1.norm() * e2.norm()) return std::nullopt;
   // Room at the edges: a ray must not slip through between two triangles.
   constexpr double slack = 1e-9;
   const Eigen::Vector3d s = ray.origin - p;
@@ -134,7 +135,7 @@ PickNet::PickNet(const BlendingSurface& surface)
 
 std::optional<SurfaceHit> PickNet::pick(const BlendingSurface& surface, const Ray& given) const {
   const double length = given.direction.norm();
-  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  if (!std::isfinite(length) || length == 0) return std::nullopt;
   const Ray ray{given.origin, given.direction / length};
 
   std::vector<Start> starts;
