@@ -1,6 +1,6 @@
 #include "knotwork/surface/model_surface.h"
 
-#include <numbers>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -11,8 +11,6 @@ using namespace knotwork;
 using namespace knotwork::test;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 const ModelSurface models[] = {Plane{{1, 2, 3}, {1, 2, 0}, {0, 1, 1}},
                                Cylinder{1, 1.3, 2},
