@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -40,14 +41,18 @@ double shorter_side(const Viewport& viewport) {
 /// CSS pixels from the eye to the picture plane.
 double focal_length(const Viewport& viewport) { return 0.5 * shorter_side(viewport) / std::tan(0.5 * field_of_view); }
 
+/// The near plane's depth, as the projection holds it.
+double near_plane(const glm::dmat4& projection) { return projection[3][2] / (projection[2][2] - 1); }
+
 glm::dvec3 direction(const scene::Camera& camera) {
   const double c = std::cos(camera.elevation);
   return {c * std::cos(camera.azimuth), c * std::sin(camera.azimuth), std::sin(camera.elevation)};
 }
 
 scene::Camera limited(scene::Camera camera, const scene::Camera& otherwise) {
-  if (!camera.target.allFinite() || !std::isfinite(camera.distance) || !std::isfinite(camera.azimuth) ||
-      !std::isfinite(camera.elevation)) {
+  const double numbers[] = {camera.target.x(), camera.target.y(), camera.target.z(),
+                            camera.distance,   camera.azimuth,    camera.elevation};
+  if (!std::all_of(std::begin(numbers), std::end(numbers), [](double x) { return std::isfinite(x); })) {
     return otherwise;
   }
   camera.target = camera.target.cwiseMax(-scene::max_coordinate).cwiseMin(scene::max_coordinate);
@@ -94,11 +99,10 @@ std::optional<glm::dvec3> View::project(glm::dvec3 point) const {
   // Relative to the eye first: the view matrix's translation would cancel digits far from the origin.
   const glm::dvec3 d = point - eye;
   const glm::dvec4 clip = projection * glm::dvec4(glm::dot(d, right), glm::dot(d, up), -glm::dot(d, forward), 1);
-  if (!(clip.w > 0)) return std::nullopt;
-  const glm::dvec3 screen{0.5 * viewport.width * (1 + clip.x / clip.w), 0.5 * viewport.height * (1 - clip.y / clip.w),
-                          clip.w};
-  if (!std::isfinite(screen.x) || !std::isfinite(screen.y)) return std::nullopt;
-  return screen;
+  // Beside the eye rounding decides the sign, and a place would be light years off the screen.
+  if (clip.w < 1e-3 * near_plane(projection)) return std::nullopt;
+  return glm::dvec3(0.5 * viewport.width * (1 + clip.x / clip.w), 0.5 * viewport.height * (1 - clip.y / clip.w),
+                    clip.w);
 }
 
 scene::Ray View::ray(glm::dvec2 screen) const {
@@ -109,8 +113,7 @@ scene::Ray View::ray(glm::dvec2 screen) const {
 
 double View::pixel_size(glm::dvec3 point) const {
   const double focal = 0.5 * viewport.height * projection[1][1];
-  const double near = projection[3][2] / (projection[2][2] - 1);
-  return std::max(glm::dot(point - eye, forward), near) / focal;
+  return std::max(glm::dot(point - eye, forward), near_plane(projection)) / focal;
 }
 
 scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewport& viewport) {
@@ -129,7 +132,7 @@ scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& vi
 }
 
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view) {
-  if (!(factor > 0)) return camera;
+  if (!std::isfinite(factor) || factor <= 0) return camera;
   scene::Camera zoomed = camera;
   zoomed.distance = std::clamp(camera.distance / factor, min_distance, max_distance);
   const glm::dvec2 offset = anchor - free_area(view.viewport).centre;
@@ -150,7 +153,7 @@ scene::Camera frame(const scene::Camera& camera, glm::dvec3 centre, double radiu
 }
 
 scene::Camera between(const scene::Camera& from, const scene::Camera& to, double share) {
-  if (!(share > 0)) return from;
+  if (share <= 0) return from;
   if (share >= 1) return to;
   const double s = share * share * share * (10 + share * (6 * share - 15));
   scene::Camera camera;

@@ -50,12 +50,15 @@ Nearness nearness(glm::dvec2 p, const glm::dvec3& a, const glm::dvec3& b) {
 int gizmo_axis(GizmoPart part) {
   switch (part) {
     case GizmoPart::turn_u:
-    case GizmoPart::scale_u: return 0;
+    case GizmoPart::scale_u:
+      return 0;
     case GizmoPart::turn_v:
-    case GizmoPart::scale_v: return 1;
+    case GizmoPart::scale_v:
+      return 1;
     case GizmoPart::turn_normal:
     case GizmoPart::scale_all:
-    case GizmoPart::move_normal: break;
+    case GizmoPart::move_normal:
+      break;
   }
   return 2;
 }
@@ -74,7 +77,7 @@ glm::dmat3 gizmo_axes(const BlendingSurface& surface, const scene::BlendingSurfa
   if (const auto edit = object.edits.find(patch); edit != object.edits.end()) {
     axes = axes * edit->second.rotation.normalized().toRotationMatrix();
   }
-  return to_glm(axes);
+  return to_glm_matrix(axes);
 }
 
 Gizmo make_gizmo(const BlendingSurface& surface, const scene::BlendingSurfaceObject& object, scene::PatchIndex patch,

@@ -25,8 +25,8 @@ struct GizmoStroke {
 };
 struct Gizmo {
   glm::dvec3 origin;
-  glm::dmat3 axes;  ///< columns: the patch's own u, v and normal direction as turned by its edit, unit
-  double size;      ///< ring radius in model units
+  glm::dmat3 axes;                   ///< columns: the patch's own u, v and normal direction as turned by its edit, unit
+  double size;                       ///< ring radius in model units
   std::vector<GizmoStroke> strokes;  ///< none when the origin is behind the camera
 };
 

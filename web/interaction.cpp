@@ -32,7 +32,10 @@ constexpr double wheel_rate = 0.0022, pinch_rate = 0.01, notch = 100, largest_ex
 
 const Reach& reach(PointerDevice device) { return device == PointerDevice::touch ? coarse : fine; }
 
-bool finite(glm::dvec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+/// No stage is a million pixels wide: such an event is as broken as one with a NaN.
+bool usable(glm::dvec2 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::abs(v.x) < 1e6 && std::abs(v.y) < 1e6;
+}
 
 std::string patch_name(scene::PatchIndex patch) {
   return "Patch " + std::to_string(patch.first) + ", " + std::to_string(patch.second);
@@ -118,7 +121,7 @@ std::optional<scene::PatchIndex> nearest_handle(const Stage& stage, glm::dvec2 p
   for (const Handle& handle : stage.handles) {
     if (!handle.screen || !exists(stage, handle.patch)) continue;
     const double distance = glm::length(glm::dvec2(*handle.screen) - position);
-    if (!(distance <= within)) continue;
+    if (distance > within) continue;
     if (!nearest || handle.hidden < nearest->hidden || (handle.hidden == nearest->hidden && distance < best)) {
       nearest = &handle;
       best = distance;
@@ -308,8 +311,8 @@ constexpr NudgeKey nudge_keys[] = {
     {"ArrowDown", {0, -1, 0}}, {"PageUp", {0, 0, 1}},     {"PageDown", {0, 0, -1}},
 };
 const NudgeKey* find_nudge(std::string_view key) {
-  const auto* found = std::find_if(std::begin(nudge_keys), std::end(nudge_keys),
-                                   [key](const NudgeKey& row) { return row.key == key; });
+  const auto* found =
+      std::find_if(std::begin(nudge_keys), std::end(nudge_keys), [key](const NudgeKey& row) { return row.key == key; });
   return found == std::end(nudge_keys) ? nullptr : found;
 }
 
@@ -317,7 +320,7 @@ void nudge_patch(InteractionState& state, const Stage& stage, Outcome& outcome, 
   const scene::PatchIndex patch = *state.selected;
   const PatchScene scene = patch_scene(stage);
   const double step = (finer ? fine_nudge : nudge) * stage.view.pixel_size(document_origin(scene, patch));
-  const glm::dvec3 normal = to_glm(scene::patch_frame(stage.surface, patch))[2];
+  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(stage.surface, patch))[2];
   const glm::dvec3 offset =
       row.direction.x * stage.view.right + row.direction.y * stage.view.up + row.direction.z * normal;
   outcome.begin_gesture = !state.nudging;
@@ -429,10 +432,10 @@ std::optional<scene::PatchIndex> handle_patch(std::string_view id) {
 Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event) {
   Outcome outcome;
   forget_missing(state, stage, outcome);
-  const bool finite_event = finite(event.position) && std::isfinite(event.time);
+  const bool usable_event = usable(event.position) && std::isfinite(event.time);
   const bool known = state.pointers.contains(event.id);
   // Even without a usable position a pointer that goes must not stay down for ever.
-  if (!finite_event && !(known && (event.type == PointerType::up || event.type == PointerType::cancel))) {
+  if (!usable_event && !(known && (event.type == PointerType::up || event.type == PointerType::cancel))) {
     return outcome;
   }
 
@@ -448,9 +451,9 @@ Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent&
       break;
     case PointerType::up:
       if (!known) break;
-      if (finite_event && event.position != state.pointers.at(event.id).position) move(state, stage, outcome, event);
-      release(state, stage, outcome, event.id, finite_event ? std::optional(event.time) : std::nullopt, false);
-      if (finite_event && state.pointers.empty()) hover(state, stage, outcome, event);
+      if (usable_event && event.position != state.pointers.at(event.id).position) move(state, stage, outcome, event);
+      release(state, stage, outcome, event.id, usable_event ? std::optional(event.time) : std::nullopt, false);
+      if (usable_event && state.pointers.empty()) hover(state, stage, outcome, event);
       outcome.used = true;
       break;
     case PointerType::cancel:
@@ -469,10 +472,10 @@ Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& eve
   Outcome outcome;
   forget_missing(state, stage, outcome);
   if (!(event.modifiers.control || event.modifiers.meta)) return outcome;
-  if (!finite(event.position) || !finite(event.delta)) return outcome;
+  if (!usable(event.position) || !usable(event.delta)) return outcome;
   const double way = std::abs(event.delta.y);
-  const double exponent = std::min(
-      std::max(std::min(pinch_rate * way, wheel_rate * notch), wheel_rate * way), largest_exponent);
+  const double exponent =
+      std::min(std::max(std::min(pinch_rate * way, wheel_rate * notch), wheel_rate * way), largest_exponent);
   const double factor = std::exp(std::copysign(exponent, -event.delta.y));
   set_camera(outcome, stage, zoom(stage.document.camera, factor, event.position, present_view(stage)));
   outcome.used = true;
@@ -535,11 +538,14 @@ const char* cursor(const InteractionState& state) {
   switch (state.drag) {
     case Drag::handle:
     case Drag::gizmo:
-    case Drag::orbit: return "grabbing";
+    case Drag::orbit:
+      return "grabbing";
     case Drag::pan:
-    case Drag::pinch: return "move";
+    case Drag::pinch:
+      return "move";
     case Drag::none:
-    case Drag::rest: break;
+    case Drag::rest:
+      break;
   }
   return state.hovered || state.hovered_part ? "grab" : "default";
 }

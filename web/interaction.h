@@ -60,10 +60,10 @@ struct InteractionState {
   Drag drag = Drag::none;
   int drag_pointer = -1, second_pointer = -1;  ///< the second of a pinch
   GizmoPart drag_part = GizmoPart::turn_normal;
-  PatchDrag held;              ///< of a handle or gizmo drag
-  bool gesture_open = false;   ///< the drag has begun its history entry
-  double gesture_time = 0;     ///< when it did
-  bool nudging = false;        ///< an arrow key is held down and its history entry open
+  PatchDrag held;             ///< of a handle or gizmo drag
+  bool gesture_open = false;  ///< the drag has begun its history entry
+  double gesture_time = 0;    ///< when it did
+  bool nudging = false;       ///< an arrow key is held down and its history entry open
 };
 
 /// What one event comes to, to be carried out in the order of the members: begin the gesture, perform the commands, end
@@ -75,8 +75,8 @@ struct Outcome {
   bool undo = false, redo = false, toggle_play = false;
   bool frame_all = false;  ///< double click: bring the whole surface into view
   bool redraw = false;
-  bool used = false;       ///< the page should not act on the event too
-  std::string notice;      ///< for the live region: "Patch 2, 1 selected"
+  bool used = false;   ///< the page should not act on the event too
+  std::string notice;  ///< for the live region: "Patch 2, 1 selected"
 };
 
 Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event);

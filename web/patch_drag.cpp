@@ -37,8 +37,6 @@ Eigen::Vector3d limited(const Eigen::Vector3d& translation) {
   return translation.cwiseMax(-scene::max_coordinate).cwiseMin(scene::max_coordinate);
 }
 
-bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 double rounded_to(double x, double step) { return std::round(x / step) * step; }
 
 void anchor_move(PatchDrag& drag, const PatchScene& scene, bool along_axis) {
@@ -55,7 +53,7 @@ void anchor_move(PatchDrag& drag, const PatchScene& scene, bool along_axis) {
 std::optional<glm::dvec3> in_plane(const PatchDrag& drag, const View& view, glm::dvec2 screen) {
   const double depth = glm::dot(drag.anchor - view.eye, view.forward);
   const glm::dvec3 direction = to_glm(view.ray(screen).direction);
-  if (!(depth > 0)) return std::nullopt;
+  if (depth <= 0) return std::nullopt;
   return view.eye + depth / glm::dot(direction, view.forward) * direction;
 }
 
@@ -67,9 +65,10 @@ std::optional<glm::dvec3> on_line(const PatchDrag& drag, const View& view, glm::
   const glm::dvec3 ray = to_glm(view.ray(pointer - drag.grab_offset).direction);
   const glm::dvec3 w = drag.anchor - view.eye;
   const double b = glm::dot(ray, drag.axis);
+  if (1 - b * b < 1e-6) return std::nullopt;  // the pointer is at the line's vanishing point
   const double s = (b * glm::dot(ray, w) - glm::dot(drag.axis, w)) / (1 - b * b);
   const double along_ray = glm::dot(ray, w) + s * b;
-  if (!(along_ray > 0) || !(std::abs(s) < longest_move * glm::length(w))) return std::nullopt;
+  if (along_ray <= 0 || std::abs(s) > longest_move * glm::length(w)) return std::nullopt;
   return drag.anchor + s * drag.axis;
 }
 
@@ -78,15 +77,17 @@ void move(PatchDrag& drag, const PatchScene& scene, glm::dvec2 pointer, bool alo
   if (along_axis != drag.along_axis) anchor_move(drag, scene, along_axis);
   const std::optional<glm::dvec3> place =
       along_axis ? on_line(drag, scene.view, pointer) : in_plane(drag, scene.view, pointer - drag.grab_offset);
-  if (place && finite(*place)) drag.position = *place;
+  if (place) drag.position = *place;
 }
 
 /// The pointer in the plane of a ring, in the two other axes.
 std::optional<glm::dvec2> on_ring_plane(const PatchDrag& drag, const View& view, int axis, glm::dvec2 pointer) {
   const glm::dvec3 ray = to_glm(view.ray(pointer).direction);
   const glm::dvec3& normal = drag.axes[axis];
-  const double t = glm::dot(drag.origin - view.eye, normal) / glm::dot(ray, normal);
-  if (!(t > 0) || !std::isfinite(t)) return std::nullopt;
+  const double descent = glm::dot(ray, normal), height = glm::dot(drag.origin - view.eye, normal);
+  // Beyond its horizon the plane is not under the pointer.
+  if (descent * height <= 1e-9 * height * height / glm::length(drag.origin - view.eye)) return std::nullopt;
+  const double t = height / descent;
   const glm::dvec3 d = view.eye + t * ray - drag.origin;
   return glm::dvec2(glm::dot(d, drag.axes[(axis + 1) % 3]), glm::dot(d, drag.axes[(axis + 2) % 3]));
 }
@@ -185,7 +186,7 @@ scene::PatchEdit edit_of(const scene::BlendingSurfaceObject& object, scene::Patc
 }
 
 glm::dvec3 document_origin(const PatchScene& scene, scene::PatchIndex patch) {
-  const glm::dmat3 frame = to_glm(scene::patch_frame(scene.surface, patch));
+  const glm::dmat3 frame = to_glm_matrix(scene::patch_frame(scene.surface, patch));
   return model_centre(scene.surface, patch) + frame * to_glm(edit_of(scene.object, patch).translation) +
          motion_offset(scene, frame, patch);
 }
@@ -200,7 +201,7 @@ PatchDrag take_hold(const PatchScene& scene, scene::PatchIndex patch, std::optio
   drag.origin = drag.position = document_origin(scene, patch);
   drag.axes = gizmo_axes(scene.surface, scene.object, patch);
   // The arrow is drawn along the turned normal and moves along it; Shift goes out of the surface that is unmoved.
-  drag.axis = part ? drag.axes[2] : to_glm(scene::patch_frame(scene.surface, patch))[2];
+  drag.axis = part ? drag.axes[2] : to_glm_matrix(scene::patch_frame(scene.surface, patch))[2];
   anchor_move(drag, scene, part == GizmoPart::move_normal);
   if (part && turns(*part)) hold_ring(drag, scene, gizmo_axis(*part));
   if (part && scales(*part)) hold_knob(drag, scene, *part);

@@ -11,7 +11,7 @@ namespace knotwork::web {
 inline glm::dvec3 to_glm(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline Eigen::Vector3d to_eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-inline glm::dmat3 to_glm(const Eigen::Matrix3d& m) {
+inline glm::dmat3 to_glm_matrix(const Eigen::Matrix3d& m) {
   return {to_glm(Eigen::Vector3d(m.col(0))), to_glm(Eigen::Vector3d(m.col(1))), to_glm(Eigen::Vector3d(m.col(2)))};
 }
 
