@@ -56,6 +56,11 @@ glm::vec3 oklab(const Colour& colour) {
           0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
 }
 
+/// Model units that a CSS pixel covers at what the camera turns about.
+float pixel_size_at_target(const Picture& picture) {
+  return static_cast<float>(picture.view.pixel_size(picture.target));
+}
+
 constexpr std::array<std::string_view, 2> surface_vertex_files{"blending.glsl", "surface.vert"};
 constexpr std::array<std::string_view, 2> surface_fragment_files{"palette.glsl", "surface.frag"};
 constexpr std::array<std::string_view, 2> sheet_vertex_files{"blending.glsl", "sheet.vert"};
@@ -374,8 +379,7 @@ void Renderer::draw_sheets(const Picture& picture) {
   program.set("u_closed", glm::ivec2(picture.closed_u ? 1 : 0, picture.closed_v ? 1 : 0));
   program.set("u_eye", glm::vec3(view.eye));
   program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
-  program.set("u_pixel_size",
-              static_cast<float>(view.pixel_size(view.eye + glm::length(view.eye - picture.target) * view.forward)));
+  program.set("u_pixel_size", pixel_size_at_target(picture));
   const bool all = picture.display.local_patches;
   program.set("u_opacity", all ? 0.34F : 0.22F);
   program.set("u_only", all || !picture.held ? glm::ivec2(-1) : glm::ivec2(picture.held->first, picture.held->second));
@@ -411,7 +415,8 @@ void Renderer::draw_discs(const Picture& picture, const std::vector<Disc>& discs
   gl_->disc.set("u_view_projection", glm::mat4(view.projection * view.view));
   gl_->disc.set("u_viewport", glm::vec2(view.viewport.width, view.viewport.height));
   gl_->disc.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
-  gl_->disc.set("u_lift", 8e-4F);
+  gl_->disc.set("u_eye", glm::vec3(view.eye));
+  gl_->disc.set("u_pixel_size", pixel_size_at_target(picture));
   gl_->disc.set("u_opacity", opacity);
   glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(), GL_STREAM_DRAW);

@@ -6,7 +6,8 @@ layout(location = 2) in vec4 a_rim;    // rgb, rim width in CSS pixels
 uniform mat4 u_view_projection;
 uniform vec2 u_viewport;
 uniform float u_pixel_ratio;
-uniform float u_lift;  // depth bias towards the reader, so that a surface does not cut its own handles
+uniform vec3 u_eye;
+uniform float u_pixel_size;  // model units a CSS pixel covers at the target
 
 out vec2 v_offset;  // device pixels from the centre
 flat out float v_radius;
@@ -22,6 +23,9 @@ void main() {
   v_fill = a_fill;
   v_rim = vec4(a_rim.rgb, a_rim.w * u_pixel_ratio);
   place.xy += v_offset / (0.5 * u_viewport * u_pixel_ratio) * place.w;
-  place.z -= u_lift * place.w;
+  // Its depth is that of a point nearer to the reader, so that the surface does not cut its own handles.
+  vec3 lifted = a_place.xyz + normalize(u_eye - a_place.xyz) * (2.5 * a_place.w * u_pixel_size);
+  vec4 nearer = u_view_projection * vec4(lifted, 1.0);
+  place.z = nearer.z / nearer.w * place.w;
   gl_Position = place;
 }

@@ -1,8 +1,8 @@
 centroid in vec3 v_point;
 centroid in vec3 v_normal;
 centroid in vec3 v_hue;
-centroid in vec2 v_grid;
-centroid in vec2 v_knot;
+in vec2 v_grid;
+in vec2 v_knot;
 out vec4 colour;
 
 uniform vec3 u_eye;

@@ -3,11 +3,12 @@ uniform int u_rows;
 uniform vec2 u_steps;
 
 // Centroid: at silhouettes a pixel's centre lies off the triangle, and extrapolated values would sparkle.
+// Not for what derivatives are taken of: centroids jump from pixel to pixel.
 centroid out vec3 v_point;
 centroid out vec3 v_normal;
 centroid out vec3 v_hue;
-centroid out vec2 v_grid;
-centroid out vec2 v_knot;
+out vec2 v_grid;
+out vec2 v_knot;
 
 void main() {
   ivec2 vertex = ivec2(gl_VertexID / u_rows, gl_VertexID % u_rows);
