@@ -89,12 +89,16 @@ export function head(options: PageOptions): Plugin {
         };
         for (const [file, output] of Object.entries(context.bundle ?? {})) {
           if (/\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
-          if (/\/(serif|sans)-[\w-]+\.woff2$/.test(file) && !/italic/.test(file)) {
+          // All that the first screen shows, or its text would move when a face comes late.
+          if (/\/(serif|serif-italic|sans|katex-Main-Regular|katex-Math-Italic)-[\w-]+\.woff2$/.test(file)) {
             preload(file, { rel: 'preload', as: 'font', type: 'font/woff2', crossorigin: true });
           }
           if (output.type === 'chunk' && !output.isEntry) preload(file, { rel: 'modulepreload', crossorigin: true });
         }
         const meta = `<meta http-equiv="Content-Security-Policy" content="${options.policy}">`;
+        // Small and seen first comes first.
+        const order = ['font', undefined, 'fetch'];
+        tags.sort((a, b) => order.indexOf(a.attrs!['as'] as string) - order.indexOf(b.attrs!['as'] as string));
         return { html: html.replace(/(<meta charset="[^"]*">)/, `$1\n    ${meta}`), tags };
       },
     },
