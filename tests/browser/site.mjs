@@ -1,14 +1,13 @@
 // The built site, a browser, and pages on it. One browser a test file; a fresh context a test.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { dirname, extname, join, normalize, resolve } from 'node:path';
-import { createInterface } from 'node:readline';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { serve } from '../../shell/scripts/serve.mjs';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const siteFolder = join(repository, 'shell/dist');
@@ -43,21 +42,15 @@ function once(make) {
 /// The shell's own server on a port that the system chose; its address with a slash at the end.
 export const siteAddress = once(async () => {
   assert.ok(existsSync(join(siteFolder, 'index.html')), 'the site is not built: run npm run build in shell/');
-  const server = spawn(process.execPath, [join(repository, 'shell/scripts/serve.mjs')], {
-    env: { ...process.env, PORT: '0' },
-    stdio: ['ignore', 'pipe', 'inherit'],
-  });
-  const ended = new Promise((done) => server.once('exit', done));
-  closing.push(async () => {
-    server.kill('SIGTERM');
-    await ended;
-  });
-  for await (const line of createInterface({ input: server.stdout })) {
-    const address = /http:\/\/[\w.:[\]]+\/?/.exec(line)?.[0];
-    if (address) return address.endsWith('/') ? address : `${address}/`;
-  }
-  throw new Error('the server ended before it told its address');
+  const server = await serve(0);
+  closing.push(() => closed(server));
+  return `http://localhost:${server.address().port}/`;
 });
+
+function closed(server) {
+  server.closeAllConnections();
+  return new Promise((done) => server.close(done));
+}
 
 const plainTypes = {
   '.html': 'text/html',
@@ -86,10 +79,7 @@ export async function plainHost(path) {
   await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
   return {
     address: `http://127.0.0.1:${server.address().port}${path}`,
-    close: () => {
-      server.closeAllConnections();
-      return new Promise((done) => server.close(done));
-    },
+    close: () => closed(server),
   };
 }
 
@@ -135,7 +125,7 @@ async function loadLean(page) {
 /// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page):
 /// runs before the page is opened; expected: patterns of complaints that the test provokes.
 export async function openPage(options = {}) {
-  const [width, height] = options.size ?? [900, 560];
+  const [width, height] = options.size ?? [1040, 560];
   const browser = options.browser ?? (await sharedBrowser());
   const context = await browser.newContext({
     viewport: { width, height },
