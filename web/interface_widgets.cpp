@@ -178,8 +178,7 @@ Colour as_text(const Theme& theme, const Colour& hue) { return mixed(hue, theme.
 
 float eased(Interface& ui, float& value, float target, float seconds) {
   if (ui.reduced_motion) value = target;
-  // After an idle time the first frame's step would be the whole way.
-  const float step = std::min(ImGui::GetIO().DeltaTime, 1.0F / 30) / seconds;
+  const float step = ui.step / seconds;
   value = value < target ? std::min(target, value + step) : std::max(target, value - step);
   if (value != target) ui.wants_frame = true;
   return value;

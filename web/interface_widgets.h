@@ -33,6 +33,7 @@ struct Interface {
   float pixel_ratio = 1;
   bool touch = false;           ///< type and thumbs are larger under a finger
   bool reduced_motion = false;  ///< nothing eases then
+  float step = 1.0F / 60;       ///< seconds that what moves has moved on since the last frame
   bool listening = true;        ///< false while a finger scrolls: letting go is no click then
   bool wants_frame = false;     ///< something is still moving
   std::vector<Widget> widgets;  ///< the items drawn, for the script interface

@@ -212,7 +212,7 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   const float item = ui.touch ? 42.0F : 30.0F, edge = 6;
   float width = button.width;
   for (const scene::Choice& option : parameter.choices)
-    width = std::max(width, text_width(ui, Face::bold, option.label) + (curves ? 84.0F : 40.0F));
+    width = std::max(width, text_width(ui, Face::bold, option.label) + (curves ? 76.0F : 40.0F));
   width = std::min(width, frame.stage.width - 16);
   const float wanted = item * static_cast<float>(parameter.choices.size()) + 2 * edge;
   Rect box{button.x + button.width - width, button.y + button.height + 4, width,
@@ -226,8 +226,7 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
                                             (wanted > box.height ? 0 : ImGuiWindowFlags_NoScrollbar)))
     return;
   frame.state.list_open = true;
-  claim(frame, frame.stage);  // a press beside the list closes it and does nothing else
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+  bool stays = !ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   sharpen(ui, list);
   list.PushClipRectFullScreen();
@@ -256,13 +255,17 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
     if (menu_item(ui, id, {box.x + edge, y, items, item}, option.label, option.id == present,
                   scene::refused_choice(frame.input.document, parameter, option.id), curve)) {
       if (option.id != present) set(frame, parameter, option.id);
-      ImGui::CloseCurrentPopup();
+      stays = false;
     }
     y += item;
   }
   ImGui::SetCursorScreenPos({box.x, y});
   ImGui::Dummy({1, edge});
   fade_foot(frame, box, 10);
+  if (stays)
+    claim(frame, frame.stage);  // a press beside the list closes it and does nothing else
+  else
+    ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 
@@ -489,7 +492,9 @@ void card(Frame& frame) {
   const bool scrolls = wanted > place.height + 0.5F && frame.state.show_more;
   begin(frame, "panel", rect, scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!frame.state.show_more && ImGui::GetScrollY() > 0) ImGui::SetScrollY(0);
-  card_background(frame, rect, frame.input.theme.panel_opacity);
+  // Unfolded it lies over the picture, which must not shine through the small rows.
+  const float opacity = frame.input.theme.panel_opacity;
+  card_background(frame, rect, opacity + (0.97F - opacity) * smooth(frame.state.more_share));
   const float top = rect.y - ImGui::GetScrollY();
   Column column{rect.x + padding, rect.width - 2 * padding, top + 12};
   title_row(frame, column, 0);
@@ -736,8 +741,13 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   ui.pixel_ratio = static_cast<float>(std::max(input.viewport.pixel_ratio, 0.5));
   ui.touch = input.phone;
   ui.reduced_motion = input.reduced_motion;
+  // After an idle time the first frame's delta is that of the idleness: a transition would be over before it began.
+  const float delta = ImGui::GetIO().DeltaTime;
+  ui.step = state.moving ? delta : std::min(delta, 1.0F / 60);
   ui.listening = !state.finger.moving;
-  const Rect stage{0, 0, static_cast<float>(input.viewport.width), static_cast<float>(input.viewport.height)};
+  // Whole pixels: a card at a fraction of one would blur all its text.
+  const Rect stage{0, 0, static_cast<float>(std::floor(input.viewport.width)),
+                   static_cast<float>(std::floor(input.viewport.height))};
   Frame frame{state, input, output, ui, scene::blending_surface(input.document), stage};
 
   state.list_open = false;
@@ -761,7 +771,7 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   }
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.finger = {};
 
-  output.wants_frame = ui.wants_frame;
+  output.wants_frame = state.moving = ui.wants_frame;
   output.widgets = std::move(ui.widgets);
   output.insets = covered(input, state.drawer_share);
   return output;

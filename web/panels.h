@@ -50,6 +50,7 @@ struct PanelState {
   std::string last_notice;
   bool slider_held = false;  ///< a gesture is open
   bool list_open = false;    ///< a list of choices, which Escape closes
+  bool moving = false;       ///< the last frame was not the last of a transition
   struct FingerScroll {
     std::string window;  ///< whose rows the finger is on; empty when on none
     float start = 0, scroll_at_start = 0;
