@@ -43,15 +43,15 @@ struct TriangleHit {
   double distance, b, c;  ///< barycentric weights of the second and third corner
 };
 
-/// Möller's and Trumbore's equations: origin + distance direction = (1-b-c) p + b q + c r.
+/// Möller's and Trumbore's equations: origin + distance direction = (1-b-c) p + b q + c r, in the triangle or just beside.
 std::optional<TriangleHit> meet(const Ray& ray, const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                                 const Eigen::Vector3d& r) {
   const Eigen::Vector3d e1 = q - p, e2 = r - p, h = ray.direction.cross(e2);
   const double determinant = e1.dot(h);
   // Seen edge on, or no triangle at all.
   if (std::abs(determinant) <= 1e-14 * e1.norm() * e2.norm()) return std::nullopt;
-  // Room at the edges: a ray must not slip through between two triangles.
-  constexpr double slack = 1e-9;
+  // Room at the edges: at a rim or a silhouette the surface reaches a little beyond its net. Newton's method decides.
+  constexpr double slack = 0.15;
   const Eigen::Vector3d s = ray.origin - p;
   const double b = s.dot(h) / determinant;
   if (!(b >= -slack && b <= 1 + slack)) return std::nullopt;
@@ -151,7 +151,7 @@ std::optional<SurfaceHit> PickNet::pick(const BlendingSurface& surface, const Ra
   };
   for (const Block& block : blocks_) {
     const Eigen::Vector3d to_centre = block.centre - ray.origin;
-    if (to_centre.cross(ray.direction).norm() > block.radius * (1 + 1e-9)) continue;
+    if (to_centre.cross(ray.direction).norm() > block.radius * 1.05) continue;
     for (int a = block.first_column; a < block.last_column; ++a) {
       for (int b = block.first_row; b < block.last_row; ++b) {
         try_triangle({a, b}, {a + 1, b}, {a + 1, b + 1});
@@ -160,9 +160,12 @@ std::optional<SurfaceHit> PickNet::pick(const BlendingSurface& surface, const Ra
     }
   }
 
-  // The nearest triangle need not lead to the nearest point where the net cuts a curve short: all of them are polished.
+  // The nearest triangle need not lead to the nearest point where the net cuts a curve short: all of them are polished,
+  // but for those that are further away than a hit by more than the net can be wrong.
+  std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.distance < b.distance; });
   std::optional<SurfaceHit> nearest;
   for (const Start& start : starts) {
+    if (nearest && start.distance > nearest->distance + 0.05 * radius_) break;
     const std::optional<SurfaceHit> hit = polish(surface, ray, start, radius_);
     if (hit && (!nearest || hit->distance < nearest->distance)) nearest = hit;
   }

@@ -1,0 +1,57 @@
+#include "knotwork/scene/chapters.h"
+
+#include <cmath>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "knotwork/scene/document_json.h"
+#include "knotwork/scene/parameters.h"
+#include "knotwork/scene/surface_builder.h"
+
+using namespace knotwork;
+using namespace knotwork::scene;
+
+TEST_CASE("chapters: every row opens a document that is valid, can be saved and built") {
+  std::set<std::string_view> ids;
+  REQUIRE_FALSE(chapters().empty());
+  for (const Chapter& chapter : chapters()) {
+    CAPTURE(chapter.id);
+    CHECK(ids.insert(chapter.id).second);
+    CHECK(find_chapter(chapter.id) == &chapter);
+    CHECK_FALSE(chapter.title.empty());
+    const Document document = chapter.start_document();
+    CHECK(check(document));
+    const Result<Document> again = parse_document(write_document(document));
+    REQUIRE(again);
+    CHECK(again.value() == document);
+    CHECK(build_surface(blending_surface(document), document.animation).evaluate(0, 0).s.allFinite());
+    CHECK_FALSE(chapter.parameters.empty());
+    for (std::string_view id : chapter.parameters) CHECK(find_parameter(id) != nullptr);
+  }
+  CHECK(find_chapter("no-such-chapter") == nullptr);
+}
+
+TEST_CASE("chapters: the blending surface opens as a torus with a patch pulled out at the left, towards the reader") {
+  const Document document = find_chapter("blending-surface")->start_document();
+  const BlendingSurfaceObject& object = blending_surface(document);
+  CHECK(object.locals_u == 6);
+  CHECK(object.locals_v == 4);
+  CHECK(object.topology_u == Topology::closed);
+  CHECK(object.topology_v == Topology::closed);
+  REQUIRE(object.edits.size() == 1);
+
+  const BlendingSurface surface = build_surface(object, document.animation);
+  const Eigen::Vector3d pulled = patch_origin(surface, object.edits.begin()->first);
+  const double azimuth = document.camera.azimuth;
+  const Eigen::Vector3d eye(std::cos(azimuth), std::sin(azimuth), 0), right(-std::sin(azimuth), std::cos(azimuth), 0);
+  CHECK(pulled.dot(right) < -1.2);
+  CHECK(pulled.dot(eye) > 0.2);
+  CHECK(pulled.z() == doctest::Approx(0));
+  // Every other patch's origin lies nearer to the axis.
+  for (int i = 0; i < object.locals_u; ++i) {
+    for (int j = 0; j < object.locals_v; ++j) {
+      if (object.edits.count({i, j}) == 0) CHECK(patch_origin(surface, {i, j}).norm() < pulled.norm() - 0.5);
+    }
+  }
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#if defined(__GLIBC__)
+#include <cfenv>
+#endif
+
+namespace knotwork::test {
+
+/// While it lives, floating-point traps that main() has turned on are off. For texts with numbers such as 1e999: the
+/// C library's strtod answers them with an overflow, which is what the code under test looks at.
+class FloatTrapsOff {
+ public:
+#if defined(__GLIBC__)
+  FloatTrapsOff() : traps_(fegetexcept()) { fedisableexcept(FE_ALL_EXCEPT); }
+  ~FloatTrapsOff() {
+    std::feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(traps_);
+  }
+
+ private:
+  int traps_;
+
+ public:
+#else
+  FloatTrapsOff() {}
+  ~FloatTrapsOff() {}
+#endif
+  FloatTrapsOff(const FloatTrapsOff&) = delete;
+  FloatTrapsOff& operator=(const FloatTrapsOff&) = delete;
+};
+
+}  // namespace knotwork::test
