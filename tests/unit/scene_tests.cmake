@@ -1,9 +1,8 @@
 # Paths relative to tests/.
 #
-# For whoever writes the build: these tests need two macros, each a path as a string literal without a slash at its end,
-#   KNOTWORK_SCENE_DIR  the folder of document.schema.json (core/knotwork/scene; embedded at /scene in WebAssembly),
-#   KNOTWORK_TEST_DATA_DIR  tests/data (embedded at /data in WebAssembly),
-# and nlohmann/json.hpp on the include path, as document_json.cpp does.
+# The schema's test reads core/knotwork/scene/document.schema.json from KNOTWORK_SCENE_DIR, a path without a slash at its
+# end: the folder itself natively, /scene in WebAssembly, where the file is embedded. Both are set at the end of this
+# list, which is included before the test executable is made.
 set(KNOTWORK_SCENE_TESTS
   unit/chapters_test.cpp
   unit/commands_test.cpp
@@ -17,3 +16,11 @@ set(KNOTWORK_SCENE_TESTS
   unit/surface_builder_test.cpp
   fuzz/document_mutation_test.cpp
 )
+
+set(scene_folder "${CMAKE_CURRENT_SOURCE_DIR}/../core/knotwork/scene")
+if(EMSCRIPTEN)
+  add_link_options("--embed-file=${scene_folder}/document.schema.json@/scene/document.schema.json")
+  set(scene_folder /scene)
+endif()
+set_source_files_properties(unit/document_schema_test.cpp PROPERTIES
+  COMPILE_DEFINITIONS "KNOTWORK_SCENE_DIR=\"${scene_folder}\"")
