@@ -81,11 +81,8 @@ export class Page {
       if (row) control.update(row);
     }
     for (const [phrase, action] of this.phrases) phrase.classList.toggle('done', fulfilled(action, rows));
-    for (const table of this.tables) table.update(state);
-    if (this.patchLists.length > 0) {
-      const handles = this.bridge.handles();
-      for (const list of this.patchLists) list.update(handles, state.selected);
-    }
+    for (const table of this.tables) table.update(state, rows);
+    for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
     if (state.notice !== this.lastNotice) this.announce(state.notice);
     this.lastNotice = state.notice;

@@ -1,3 +1,4 @@
+import type { State } from './bridge';
 import { element } from './controls';
 import type { Handle } from './knotwork';
 
@@ -20,15 +21,16 @@ export class PatchList {
     place.replaceChildren(label, frame, button);
   }
 
-  update(handles: readonly Handle[], selected: string): void {
-    const key = handles.map((handle) => handle.id).join();
+  /// Asks for the handles only when their number has changed: there may be thousands.
+  update(state: State, handles: () => readonly Handle[]): void {
+    const key = `${state.u.locals} ${state.v.locals}`;
     if (key !== this.listed) {
       this.listed = key;
       this.select.replaceChildren(
         new Option('none', ''),
-        ...handles.map((handle) => new Option(handle.label, handle.id)),
+        ...handles().map((handle) => new Option(handle.label, handle.id)),
       );
     }
-    if (this.select.value !== selected) this.select.value = selected;
+    if (this.select.value !== state.selected) this.select.value = state.selected;
   }
 }

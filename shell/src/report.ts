@@ -1,4 +1,5 @@
 import type { Direction, State } from './bridge';
+import type { Parameter } from './knotwork';
 
 /// The report's table: what opening and closing makes of the counts. The row of the present topology is the module's
 /// own; the others follow from its numbers of local surfaces (THEORY 2.8).
@@ -17,8 +18,10 @@ export interface Counts {
 export interface Row {
   u: Counts;
   v: Counts;
-  shape: 'plane' | 'cylinder' | 'torus';
+  shape: string;
   current: boolean;
+  /// Why the model cannot have this row's topology; '' when it can.
+  refused: string;
 }
 
 export function direction(letter: 'u' | 'v', topology: Topology, locals: number): Counts {
@@ -33,7 +36,11 @@ export function direction(letter: 'u' | 'v', topology: Topology, locals: number)
   };
 }
 
-export function rows(state: Pick<State, 'u' | 'v'>): Row[] {
+export function rows(state: Pick<State, 'u' | 'v' | 'shape'>, table: ReadonlyMap<string, Parameter>): Row[] {
+  const refusal = (id: string, topology: Topology): string =>
+    table.get(id)?.choices.find((choice) => choice.id === topology)?.refused ?? '';
+  // Only the sheet takes another shape with another topology.
+  const fixed = table.get('model')?.value !== 'sheet';
   const pairs: [Topology, Topology][] = [['open', 'open'], ['open', 'closed'], ['closed', 'open'], ['closed', 'closed']];
   return pairs.map(([u, v]) => {
     const current = state.u.topology === u && state.v.topology === v;
@@ -41,8 +48,9 @@ export function rows(state: Pick<State, 'u' | 'v'>): Row[] {
     return {
       u: current ? countsOf(state.u) : direction('u', u, state.u.locals),
       v: current ? countsOf(state.v) : direction('v', v, state.v.locals),
-      shape: (['plane', 'cylinder', 'torus'] as const)[closed]!,
+      shape: current || fixed ? state.shape : ['plane', 'cylinder', 'torus'][closed]!,
       current,
+      refused: refusal('topology.u', u) || refusal('topology.v', v),
     };
   });
 }
@@ -59,6 +67,7 @@ export function subscript(number: number): string {
 export class ReportTable {
   private readonly cells: HTMLElement[][] = [];
   private readonly rowElements: HTMLTableRowElement[] = [];
+  private readonly buttons: HTMLButtonElement[] = [];
   private readonly shapes: HTMLElement[] = [];
 
   constructor(place: HTMLElement, setTopologies: (u: Topology, v: Topology) => void) {
@@ -80,6 +89,7 @@ export class ReportTable {
       const v: Topology = i % 2 === 0 ? 'open' : 'closed';
       button.textContent = `${u}, ${v}`;
       button.addEventListener('click', () => setTopologies(u, v));
+      this.buttons.push(button);
       heading.append(button);
       row.append(heading);
       this.cells.push(Array.from({ length: 4 }, () => pairCell(row)));
@@ -88,8 +98,8 @@ export class ReportTable {
     place.replaceChildren(table);
   }
 
-  update(state: State): void {
-    rows(state).forEach((row, i) => {
+  update(state: State, table: ReadonlyMap<string, Parameter>): void {
+    rows(state, table).forEach((row, i) => {
       const element = this.rowElements[i]!;
       if (row.current) element.setAttribute('aria-current', 'true');
       else element.removeAttribute('aria-current');
@@ -98,8 +108,11 @@ export class ReportTable {
       fill(knots!, row.u.knots, row.v.knots);
       fill(patches!, row.u.patches, row.v.patches);
       fill(locals!, row.u.locals, row.v.locals);
-      const shape = row.current ? state.shape : row.shape;
+      const shape = row.refused ? '–' : row.shape;
       if (this.shapes[i]!.textContent !== shape) this.shapes[i]!.textContent = shape;
+      const button = this.buttons[i]!;
+      button.setAttribute('aria-disabled', String(row.refused !== ''));
+      button.title = row.refused;
     });
   }
 }

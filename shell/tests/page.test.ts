@@ -78,7 +78,8 @@ test('the report: counts and domains of a 6 by 4 net in all four topologies', ()
     u: { ...direction('u', 'closed', 6), knots: knots(9) },
     v: { ...direction('v', 'open', 4), knots: knots(6) },
   };
-  const shown = rows(state).map(({ u, v, shape, current }) => [
+  const sheet = new Map([['model', { value: 'sheet' } as Parameter]]);
+  const shown = rows({ ...state, shape: 'cylinder' }, sheet).map(({ u, v, shape, current }) => [
     u.domain, v.domain, u.knots, v.knots, u.patches, v.patches, u.locals, v.locals, shape, current,
   ]);
   assert.deepEqual(shown, [
@@ -92,8 +93,21 @@ test('the report: counts and domains of a 6 by 4 net in all four topologies', ()
 
 test('the row of the present topology shows what the module says', () => {
   const said = { topology: 'open' as const, domain: '[u₁, u₉]', knots: [0, 0, 1], patches: 77, locals: 6 };
-  const present = rows({ u: said, v: { ...said, domain: '[v₁, v₉]' } }).find((row) => row.current)!;
+  const state = { u: said, v: { ...said, domain: '[v₁, v₉]' }, shape: 'plane' };
+  const present = rows(state, new Map()).find((row) => row.current)!;
   assert.deepEqual([present.u.domain, present.u.knots, present.u.patches], ['[u₁, u₉]', 3, 77]);
+});
+
+test('a fixed model keeps its shape, and says which topologies it cannot have', () => {
+  const choices = [{ id: 'open', label: 'open', refused: '' }, { id: 'closed', label: 'closed', refused: 'Not in u.' }];
+  const table = new Map([
+    ['model', { value: 'cylinder' } as Parameter],
+    ['topology.u', { value: 'open', choices } as unknown as Parameter],
+  ]);
+  const said = { topology: 'open' as const, domain: '', knots: [0, 0, 1], patches: 1, locals: 2 };
+  const shown = rows({ u: said, v: said, shape: 'cylinder' }, table);
+  assert.deepEqual(shown.map((row) => row.shape), ['cylinder', 'cylinder', 'cylinder', 'cylinder']);
+  assert.deepEqual(shown.map((row) => row.refused), ['', '', 'Not in u.', 'Not in u.']);
 });
 
 test('numbers have as many decimals as their step, a true minus and their unit', () => {
