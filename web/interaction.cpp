@@ -243,8 +243,8 @@ void move(InteractionState& state, const Stage& stage, Outcome& outcome, const P
     const double slack = reach(pointer.device).moved;
     if (way > slack) {
       pointer.moved = true;
-      // What a tap may wander is taken off a camera's drag, which so begins without a jerk.
-      before = pointer.start + slack / way * (event.position - pointer.start);
+      // What a tap may wander is taken off a camera's drag, which so begins without a jerk; a pinch counts from the start.
+      if (state.drag != Drag::pinch) before = pointer.start + slack / way * (event.position - pointer.start);
     }
   }
 

@@ -22,7 +22,7 @@ const std::array<scene::Camera, 4> cameras{
     scene::Camera{},
     scene::Camera{{0.2, 0.1, -0.1}, 2.6, 2.5, -1.2},
     scene::Camera{{0, 0, 0}, 9, -3.0, 1.5533},
-    scene::Camera{{0.9, -0.4, 0.2}, 1.4, 0.3, 0.1},
+    scene::Camera{{1.2, 0, 0}, 1.8, 0.2, 0.3},
 };
 
 scene::Document playing_document(scene::MotionKind motion) {
@@ -349,7 +349,7 @@ TEST_CASE("fingers left over from a pinch rest; a finger put back goes on") {
   CHECK(reader.framed == 0);
 
   // All up: one finger orbits again.
-  reader.drag({100, 300}, {150, 300});
+  reader.drag(reader.empty_place(), reader.empty_place() + glm::dvec2(50, 0));
   CHECK(reader.document.camera.azimuth != still.azimuth);
 }
 
@@ -578,9 +578,9 @@ TEST_CASE("of two handles the visible one is held, then the nearer") {
   CHECK_FALSE(held({handle({0, 0}, {0, 0}, false)}).has_value());
 }
 
-TEST_CASE("with the camera inside the surface, handles behind it are out of reach") {
+TEST_CASE("with the camera amid the handles, those behind it are out of reach") {
   scene::Document document = Reader::standard_document();
-  document.camera = {{1.2, 0, 0}, 0.3, 0.2, 0};
+  document.camera = {{0, 0, 0}, 0.3, 0.2, 0};
   Reader reader(document);
   int behind = 0;
   for (const Handle& handle : reader.handles) behind += handle.screen ? 0 : 1;
