@@ -29,18 +29,26 @@ class Random {
 
 /// Fragments that hurt parsers and limits.
 constexpr std::array<std::string_view, 20> fragments{
-    "0",   "-1",      "1e999", "NaN",  "null", "true", "\"\"", "{}",       "[",           "]",
-    "{",   "}",       ",",     ":",    "\\u",  "\xff", "1e-5", "\"open\"", "1000000000", "0.30000000000000004"};
+    "0", "-1", "1e999", "NaN", "null", "true", "\"\"", "{}",       "[",          "]",
+    "{", "}",  ",",     ":",   "\\u",  "\xff", "1e-5", "\"open\"", "1000000000", "0.30000000000000004"};
 
 std::string mutated(std::string text, Random& random) {
   const std::size_t mutations = 1 + random.below(3);
   for (std::size_t k = 0; k < mutations; ++k) {
     const std::size_t place = random.below(text.size()), length = random.below(12);
     switch (random.below(5)) {
-      case 0: text[place] = static_cast<char>(random.below(256)); break;
-      case 1: text.erase(place, length); break;
-      case 2: text.insert(place, fragments[random.below(fragments.size())]); break;
-      case 3: text.insert(place, text.substr(random.below(text.size()), length)); break;
+      case 0:
+        text[place] = static_cast<char>(random.below(256));
+        break;
+      case 1:
+        text.erase(place, length);
+        break;
+      case 2:
+        text.insert(place, fragments[random.below(fragments.size())]);
+        break;
+      case 3:
+        text.insert(place, text.substr(random.below(text.size()), length));
+        break;
       default: {
         // A whole number replaced: what most often still parses.
         const std::size_t digit = text.find_first_of("0123456789", place);

@@ -11,7 +11,8 @@ using namespace knotwork::scene;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 Document start() { return find_chapter("blending-surface")->start_document(); }
 
@@ -96,7 +97,8 @@ TEST_CASE("commands: the clock moves while playing, at its speed, and wraps") {
     REQUIRE(document.animation.time >= 0);
     REQUIRE(document.animation.time < clock_period);
   }
-  for (double seconds : {not_a_number, infinity, -1.0, 1e300}) CHECK(refusal(document, AdvanceClock{seconds}).path == "seconds");
+  for (double seconds : {not_a_number, infinity, -1.0, 1e300})
+    CHECK(refusal(document, AdvanceClock{seconds}).path == "seconds");
 }
 
 TEST_CASE("commands: a document is checked before it is loaded") {
@@ -150,8 +152,8 @@ TEST_CASE("commands: descriptions read like a menu") {
   edit.translation.z() = 1;
   CHECK(describe(SetPatchEdit{{2, 1}, edit}) == "Move patch 2, 1");
   CHECK(describe(SetPatchEdit{{2, 1}, PatchEdit{}}) == "Reset patch 2, 1");
-  for (const Command& command : {Command(ResetPatches{}), Command(SetCamera{}), Command(LoadDocument{}),
-                                 Command(AdvanceClock{})}) {
+  for (const Command& command :
+       {Command(ResetPatches{}), Command(SetCamera{}), Command(LoadDocument{}), Command(AdvanceClock{})}) {
     CHECK_FALSE(describe(command).empty());
   }
 }

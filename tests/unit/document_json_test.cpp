@@ -36,7 +36,10 @@ Document rich() {
   edit.scale = {0.01, 100, std::sqrt(2.0)};
   surface.edits[{127, 3}] = edit;
   surface.edits[{0, 0}] = PatchEdit{};
-  document.objects.push_back({"second-1", "Zweite Fl\xC3\xA4""che \"\\ \n", surface});
+  document.objects.push_back({"second-1",
+                              "Zweite Fl\xC3\xA4"
+                              "che \"\\ \n",
+                              surface});
   document.camera = {{1e-17, -1e6, 0.1 + 0.2}, 5, 12.5, -1.57};
   document.display = {false, false, false, true, true, true, true, false};
   document.animation = {true, 6.2831853, 0.1, MotionKind::report, 1.5, 0.25, 1.0};
@@ -161,7 +164,8 @@ TEST_CASE("document JSON: missing and unknown members are errors at their place"
 }
 
 TEST_CASE("document JSON: numbers out of range are errors at their place") {
-  for (Json count : {Json(0), Json(1), Json(-3), Json(129), Json(1000000000), Json(1e300), Json(18446744073709551615u)}) {
+  for (Json count :
+       {Json(0), Json(1), Json(-3), Json(129), Json(1000000000), Json(1e300), Json(18446744073709551615u)}) {
     CHECK(path_with("/objects/0/locals/u", count) == "objects[0].locals.u");
   }
   CHECK(refusal(replaced(write_document(start()), "\"u\":6", "\"u\":0")).message ==

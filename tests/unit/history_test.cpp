@@ -26,9 +26,15 @@ TEST_CASE("history: undo and redo restore the document exactly, through many kin
   History history;
   std::vector<Document> states{document};
   const std::vector<Command> commands{
-      set("topology.u", "open"),  set("locals.u", 9.0),           set("model", "plane"),
-      move(3, 1, 0.1),            set("display.frames", true),    set("motion.amplitude", 0.3),
-      ResetPatches{},             set("blending.function", "rational"), set("blending.parameter", 5.0),
+      set("topology.u", "open"),
+      set("locals.u", 9.0),
+      set("model", "plane"),
+      move(3, 1, 0.1),
+      set("display.frames", true),
+      set("motion.amplitude", 0.3),
+      ResetPatches{},
+      set("blending.function", "rational"),
+      set("blending.parameter", 5.0),
   };
   for (const Command& command : commands) {
     REQUIRE(history.perform(document, command));

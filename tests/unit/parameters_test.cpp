@@ -35,12 +35,14 @@ std::string refusal(const std::string& id, ParameterValue value, Document docume
 }  // namespace
 
 TEST_CASE("parameters: the table has exactly the promised rows, each complete") {
-  const std::set<std::string_view> promised{
-      "topology.u",         "topology.v",      "model",             "locals.u",           "locals.v",
-      "blending.function",  "blending.parameter", "samples.u",      "samples.v",          "display.surface",
-      "display.colours",    "display.knots",   "display.wireframe", "display.locals",     "display.frames",
-      "display.normals",    "display.handles", "animation.playing", "animation.time",     "animation.speed",
-      "motion.kind",        "motion.amplitude", "motion.translation", "motion.rotation"};
+  const std::set<std::string_view> promised{"topology.u",         "topology.v",         "model",
+                                            "locals.u",           "locals.v",           "blending.function",
+                                            "blending.parameter", "samples.u",          "samples.v",
+                                            "display.surface",    "display.colours",    "display.knots",
+                                            "display.wireframe",  "display.locals",     "display.frames",
+                                            "display.normals",    "display.handles",    "animation.playing",
+                                            "animation.time",     "animation.speed",    "motion.kind",
+                                            "motion.amplitude",   "motion.translation", "motion.rotation"};
   std::set<std::string_view> ids;
   const Document document = start();
   for (const Parameter& row : parameters()) {

@@ -120,8 +120,7 @@ TEST_CASE("surface builder: M_ij is the edit's formula in the patch's frame") {
 
     const Eigen::Affine3d& map = surface.local(patch.first, patch.second);
     CHECK((map.translation() - (jet.s + f * edit.translation)).norm() < 1e-14);
-    const Eigen::Matrix3d linear =
-        f * edit.rotation.toRotationMatrix() * edit.scale.asDiagonal() * f.transpose();
+    const Eigen::Matrix3d linear = f * edit.rotation.toRotationMatrix() * edit.scale.asDiagonal() * f.transpose();
     CHECK((map.linear() - linear).norm() < 1e-13);
     CHECK((patch_origin(surface, patch) - map.translation()).norm() == 0);
   }
@@ -169,14 +168,18 @@ TEST_CASE("surface builder: a rolling direction meets both topologies without a 
       for (Topology other : {open, closed}) {
         const double rest = other == closed ? 1 : 0;
         const BlendingSurfaceObject in_u = edited(model, closed, other), in_v = edited(model, other, closed);
-        check_limit(in_u, animation, build_surface(in_u, animation, {1, rest}),
-                    [&](double e) { return Roll{1 - e, rest}; });
-        check_limit(in_u, animation, build_surface(in_u, animation, {0, rest}),
-                    [&](double e) { return Roll{e, rest}; });
-        check_limit(in_v, animation, build_surface(in_v, animation, {rest, 1}),
-                    [&](double e) { return Roll{rest, 1 - e}; });
-        check_limit(in_v, animation, build_surface(in_v, animation, {rest, 0}),
-                    [&](double e) { return Roll{rest, e}; });
+        check_limit(in_u, animation, build_surface(in_u, animation, {1, rest}), [&](double e) {
+          return Roll{1 - e, rest};
+        });
+        check_limit(in_u, animation, build_surface(in_u, animation, {0, rest}), [&](double e) {
+          return Roll{e, rest};
+        });
+        check_limit(in_v, animation, build_surface(in_v, animation, {rest, 1}), [&](double e) {
+          return Roll{rest, 1 - e};
+        });
+        check_limit(in_v, animation, build_surface(in_v, animation, {rest, 0}), [&](double e) {
+          return Roll{rest, e};
+        });
       }
     }
   }
@@ -184,8 +187,9 @@ TEST_CASE("surface builder: a rolling direction meets both topologies without a 
 
 TEST_CASE("surface builder: both directions may roll at once") {
   const BlendingSurfaceObject object = edited(Sheet{}, Topology::closed, Topology::closed);
-  check_limit(object, Animation{}, build_surface(object, Animation{}, {1, 1}),
-              [](double e) { return Roll{1 - e, 1 - e}; });
+  check_limit(object, Animation{}, build_surface(object, Animation{}, {1, 1}), [](double e) {
+    return Roll{1 - e, 1 - e};
+  });
   check_limit(object, Animation{}, build_surface(object, Animation{}, {0, 0}), [](double e) { return Roll{e, e}; });
   const BlendingSurface half = build_surface(object, Animation{}, {0.5, 0.25});
   CHECK(half.knots_u().count() == 6);

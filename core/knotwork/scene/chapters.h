@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 /// A chapter of the page: its prose lives in shell/chapters/<file>, its start document here.
 struct Chapter {
-  std::string_view id;     ///< as `blending-surface`, the permanent link
+  std::string_view id;  ///< as `blending-surface`, the permanent link
   std::string_view title;
   Document (*start_document)();
   std::vector<std::string_view> parameters;  ///< the few rows that the chapter is about

@@ -65,8 +65,7 @@ Status perform(Document& document, const AdvanceClock& command) {
 
 std::string describe_value(const Parameter& parameter, const ParameterValue& value) {
   return std::visit(
-      Overloaded{[](double x) { return number_text(x); },
-                 [](bool on) { return std::string(on ? "on" : "off"); },
+      Overloaded{[](double x) { return number_text(x); }, [](bool on) { return std::string(on ? "on" : "off"); },
                  [&](const std::string& id) {
                    for (const Choice& choice : parameter.choices) {
                      if (choice.id == id) return choice.label;
@@ -89,7 +88,8 @@ std::string describe(const SetParameter& command) {
 }
 
 std::string describe(const SetPatchEdit& command) {
-  const std::string patch = "patch " + std::to_string(command.patch.first) + ", " + std::to_string(command.patch.second);
+  const std::string patch =
+      "patch " + std::to_string(command.patch.first) + ", " + std::to_string(command.patch.second);
   return (command.edit.is_identity() ? "Reset " : "Move ") + patch;
 }
 

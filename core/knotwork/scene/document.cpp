@@ -38,10 +38,14 @@ ModelKind model_kind(const ModelSurface& model) {
 
 ModelSurface make_model(ModelKind kind) {
   switch (kind) {
-    case ModelKind::plane: return Plane{};
-    case ModelKind::cylinder: return Cylinder{};
-    case ModelKind::torus: return Torus{};
-    case ModelKind::sheet: break;
+    case ModelKind::plane:
+      return Plane{};
+    case ModelKind::cylinder:
+      return Cylinder{};
+    case ModelKind::torus:
+      return Torus{};
+    case ModelKind::sheet:
+      break;
   }
   return Sheet{};
 }

@@ -84,8 +84,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     for (const Level& level : levels_) {
       // A list that holds the next level's value already counts it.
       const std::size_t counted = &level == &levels_.back() ? 0 : 1;
-      path = level.node->is_array() ? element(path, level.node->size() - counted)
-                                    : joined(path, level.key.substr(0, 80));
+      path =
+          level.node->is_array() ? element(path, level.node->size() - counted) : joined(path, level.key.substr(0, 80));
     }
     return path;
   }
@@ -163,7 +163,9 @@ class Reader {
     }
   }
 
-  void number(std::string_view name, double& value, const Limits& range) { read_number(member(name), name, value, range); }
+  void number(std::string_view name, double& value, const Limits& range) {
+    read_number(member(name), name, value, range);
+  }
 
   void integer(std::string_view name, int& value, const Limits& range) {
     const std::optional<double> number = number_in(member(name), name, integer_message(range));

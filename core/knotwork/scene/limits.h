@@ -10,11 +10,11 @@ struct Limits {
   constexpr bool contains(double x) const { return x == x && min <= x && x <= max; }
 };
 
-inline constexpr int min_locals = 2, max_locals = 128;      ///< local surfaces in one direction
-inline constexpr int min_samples = 8, max_samples = 1024;   ///< steps in one direction
-inline constexpr double max_coordinate = 1e6;               ///< model units, any coordinate or length
-inline constexpr double min_length = 1e-3;                  ///< model units, radii, heights and the camera's distance
-inline constexpr double clock_period = 6.283185307179586;   ///< every motion repeats after 2 pi
+inline constexpr int min_locals = 2, max_locals = 128;     ///< local surfaces in one direction
+inline constexpr int min_samples = 8, max_samples = 1024;  ///< steps in one direction
+inline constexpr double max_coordinate = 1e6;              ///< model units, any coordinate or length
+inline constexpr double min_length = 1e-3;                 ///< model units, radii, heights and the camera's distance
+inline constexpr double clock_period = 6.283185307179586;  ///< every motion repeats after 2 pi
 
 namespace limits {
 inline constexpr Limits locals{min_locals, max_locals};
@@ -32,7 +32,7 @@ inline constexpr Limits elapsed{0, 1e9};                  ///< seconds of real t
 inline constexpr Limits speed{0.1, 4};                    ///< seconds of the clock a second
 inline constexpr Limits amplitude{0, 3};                  ///< model units (a second, for the report's motion)
 inline constexpr Limits share{0, 1};
-inline constexpr Limits objects{1, 16};                   ///< how many in a document
+inline constexpr Limits objects{1, 16};  ///< how many in a document
 inline constexpr Limits patches{0, max_locals* max_locals};
 inline constexpr Limits id_length{1, 64}, label_length{0, 200};  ///< bytes
 }  // namespace limits

@@ -48,8 +48,8 @@ int patch_hue_index(const BlendingSurfaceObject& object, PatchIndex patch) {
   const auto [i, j] = patch;
   const int n_u = object.locals_u, n_v = object.locals_v;
   // Only the small steps close a ring of three.
-  const bool v_near = n_v == 3 && (n_u != 3 || (object.topology_v == Topology::closed &&
-                                                object.topology_u == Topology::open));
+  const bool v_near =
+      n_v == 3 && (n_u != 3 || (object.topology_v == Topology::closed && object.topology_u == Topology::open));
   const int offset = v_near ? far_offset(i, n_u) + near_offset(j, n_v) : near_offset(i, n_u) + far_offset(j, n_v);
   return offset % patch_hue_count;
 }

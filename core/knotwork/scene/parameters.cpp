@@ -240,8 +240,8 @@ std::vector<Parameter> make_table() {
       toggle<&Display::normals>("display.normals", "normals", "Show"),
       toggle<&Display::handles>("display.handles", "handles", "Show"),
       without_history(toggle<&Animation::playing>("animation.playing", "playing", "Animation")),
-      without_history(number<&Animation::time, limits::time>("animation.time", "time", "Animation",
-                                                             {0.01, clock_period, "s"})),
+      without_history(
+          number<&Animation::time, limits::time>("animation.time", "time", "Animation", {0.01, clock_period, "s"})),
       number<&Animation::speed, limits::speed>("animation.speed", "speed", "Animation", {0.1, 4, "×"}),
       choice<&Animation::motion>("motion.kind", "motion", "Motion",
                                  {{"breathe", "breathe"}, {"report", "as in the report"}}),

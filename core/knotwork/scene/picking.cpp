@@ -95,8 +95,8 @@ std::optional<SurfaceHit> polish(const BlendingSurface& surface, const Ray& ray,
     if (!(std::abs(equations.determinant()) > 1e-12 * scale)) return std::nullopt;
     const Eigen::Vector3d step = equations.inverse() * residual;
     if (!step.allFinite()) return std::nullopt;
-    const double shorter =
-        std::min({1.0, start.step_u / std::max(std::abs(step[0]), 1e-300), start.step_v / std::max(std::abs(step[1]), 1e-300)});
+    const double shorter = std::min(
+        {1.0, start.step_u / std::max(std::abs(step[0]), 1e-300), start.step_v / std::max(std::abs(step[1]), 1e-300)});
     u = kept_in(surface.knots_u(), u + shorter * step[0]);
     v = kept_in(surface.knots_v(), v + shorter * step[1]);
     distance += shorter * step[2];
@@ -143,7 +143,9 @@ std::optional<SurfaceHit> PickNet::pick(const BlendingSurface& surface, const Ra
     const auto hit = meet(ray, point(p[0], p[1]), point(q[0], q[1]), point(r[0], r[1]));
     if (!hit) return;
     const auto at = [&](const std::vector<double>& t, int k) { return t[static_cast<std::size_t>(k)]; };
-    const auto weighted = [&](double x, double y, double z) { return (1 - hit->b - hit->c) * x + hit->b * y + hit->c * z; };
+    const auto weighted = [&](double x, double y, double z) {
+      return (1 - hit->b - hit->c) * x + hit->b * y + hit->c * z;
+    };
     const double u = weighted(at(u_, p[0]), at(u_, q[0]), at(u_, r[0]));
     const double v = weighted(at(v_, p[1]), at(v_, q[1]), at(v_, r[1]));
     const int a = std::min({p[0], q[0], r[0]}), b = std::min({p[1], q[1], r[1]});

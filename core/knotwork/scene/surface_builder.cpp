@@ -113,14 +113,8 @@ Eigen::Affine3d local_map(const SurfaceJet& centre, const Pose& pose) {
 
 DirectionSummary summary(const KnotVector& knots) {
   const int first = knots.degree(), last = knots.last_span() + 1;
-  return {knots.topology(),
-          knots.start(),
-          knots.end(),
-          first,
-          last,
-          {knots.knots().begin(), knots.knots().end()},
-          knots.interval_count(),
-          knots.count()};
+  return {knots.topology(),       knots.start(), knots.end(), first, last, {knots.knots().begin(), knots.knots().end()},
+          knots.interval_count(), knots.count()};
 }
 
 SurfaceJet centre_jet(const BlendingSurface& surface, PatchIndex patch) {

@@ -36,7 +36,7 @@ Eigen::Vector3d patch_origin(const BlendingSurface& surface, PatchIndex patch);
 struct DirectionSummary {
   Topology topology;
   double start, end;
-  int first_knot, last_knot;     ///< the domain is [t_first, t_last] or [t_first, t_last)
+  int first_knot, last_knot;  ///< the domain is [t_first, t_last] or [t_first, t_last)
   std::vector<double> knots;
   int patches, locals;
 };
