@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
-  call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, parameter, picture, plus, sampleCells,
-  settled, showMore, statsOf, surfaceOf, until, widget,
+  call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, parameter, picture, plus,
+  sampleCells, settled, showMore, statsOf, surfaceOf, until, widget,
 } from './stage.mjs';
 
 const functionOf = async (page) => (await surfaceOf(page)).blending.function;
@@ -97,7 +97,9 @@ const toggles = [
   'display.normals', 'display.handles',
 ];
 
-pageTest('each thing shown can be switched in the panel, and makes a difference', { full: true, reducedMotion: true }, async (page) => {
+const still = { drawn: true, reducedMotion: true };
+
+pageTest('each thing shown can be switched in the panel, and makes a difference', still, async (page) => {
   await showMore(page, 'display.wireframe');
   for (const id of toggles) {
     const was = (await parameter(page, id)).value;

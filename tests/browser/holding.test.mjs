@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
   assertMovedOnSupportOnly, call, clickWidget, cross, distance, documentOf, dot, drag, eyeOf, fingers, frameDrawn,
-  frontHandle, grid, handleAt, handlesOf, jet, length, minus, nextUndo, patchOf, plus, projection, sampleCells, settled, stageRect,
-  surfaceOf, times, unit, until,
+  frontHandle, grid, handleAt, handlesOf, jet, length, minus, nextUndo, patchOf, plus, projection, sampleCells,
+  settled, stageRect, surfaceOf, times, unit, until,
 } from './stage.mjs';
 
 const edits = async (page) => (await surfaceOf(page)).patches;
@@ -17,7 +17,7 @@ async function normalAt(page, [i, j]) {
   return unit(cross(Su, Sv));
 }
 
-pageTest('a handle dragged with the mouse stays under the pointer and moves its support only', { full: true }, async (page) => {
+pageTest('a dragged handle stays under the pointer and moves its support only', { full: true }, async (page) => {
   const start = await documentOf(page);
   const handle = await frontHandle(page);
   const patch = patchOf(handle);

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
-  call, difference, distance, documentOf, dot, frontHandle, drag, grid, handlesOf, parameter, picture, settled, statsOf,
-  surfaceOf,
+  call, difference, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, parameter, picture, settled,
+  statsOf, surfaceOf,
 } from './stage.mjs';
 
 pageTest('ready resolves, and every name of the interface is there', {}, async (page) => {

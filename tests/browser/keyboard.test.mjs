@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
-  assertMovedOnSupportOnly, call, distance, documentOf, frontHandle, drag, grid, handlesOf, length, minus, patchOf, plus,
-  sampleCells, settled, surfaceOf,
+  assertMovedOnSupportOnly, call, distance, documentOf, drag, frontHandle, grid, handlesOf, length, minus, patchOf,
+  plus, sampleCells, settled, surfaceOf,
 } from './stage.mjs';
 
 const focused = (page) =>

@@ -2,7 +2,9 @@
 import { mkdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { launch, openPage } from './site.mjs';
-import { call, clickWidget, drag, frontHandle, hasWidget, plus, settled, showMore, stageRect, until } from './stage.mjs';
+import {
+  call, clickWidget, drag, frontHandle, hasWidget, plus, settled, showMore, stageRect, until,
+} from './stage.mjs';
 
 const folder = resolve(process.argv[2] ?? 'look');
 const screens = [

@@ -7,7 +7,7 @@ import { dirname, extname, join, normalize, resolve } from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { serve } from '../../shell/scripts/serve.mjs';
+import { serve } from '../../shell/scripts/static.mjs';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const siteFolder = join(repository, 'shell/dist');
@@ -42,7 +42,7 @@ function once(make) {
 /// The shell's own server on a port that the system chose; its address with a slash at the end.
 export const siteAddress = once(async () => {
   assert.ok(existsSync(join(siteFolder, 'index.html')), 'the site is not built: run npm run build in shell/');
-  const server = await serve(0);
+  const server = await serve(siteFolder, 0);
   closing.push(() => closed(server));
   return `http://localhost:${server.address().port}/`;
 });
@@ -111,19 +111,20 @@ function watch(page, origin, complaints) {
 
 /// The page's own start document, all patches in their places and without the shaded surface: drawn in software, that
 /// would take nine tenths of the time. The tests that are about pixels ask for the full picture.
-async function loadLean(page) {
-  await page.evaluate(() => {
+async function loadLean(page, surface) {
+  await page.evaluate((surface) => {
     const document = window.knotwork.document();
     document.objects[0].samples = { u: 24, v: 16 };
     document.objects[0].patches = [];
-    document.display.surface = false;
+    document.display.surface = surface;
     window.knotwork.load(document);
-  });
+  }, surface);
 }
 
-/// Options: full: the page as a reader finds it; size [w, h] in CSS pixels; scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion;
-/// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page):
-/// runs before the page is opened; expected: patterns of complaints that the test provokes.
+/// Options: full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
+/// scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion; scripts: false without JavaScript;
+/// address; browser; wait: false does not wait for the figure; before(page): runs before the page is opened;
+/// expected: patterns of complaints that are provoked.
 export async function openPage(options = {}) {
   const [width, height] = options.size ?? [1040, 560];
   const browser = options.browser ?? (await sharedBrowser());
@@ -146,7 +147,7 @@ export async function openPage(options = {}) {
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);
-    if (!options.full) await loadLean(page);
+    if (!options.full) await loadLean(page, options.drawn ?? false);
   }
   return {
     page,

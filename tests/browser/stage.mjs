@@ -1,4 +1,4 @@
-// What a test does with the stage: ask the script interface, find handles and widgets, move the pointer, look at pixels.
+// What a test does with the stage: ask the script interface, find handles and widgets, move the pointer, see pixels.
 import assert from 'node:assert/strict';
 import { PNG } from 'pngjs';
 
@@ -34,7 +34,7 @@ export async function settled(page) {
   await page.evaluate(
     () =>
       new Promise((resolve, reject) => {
-        const end = performance.now() + 15000;
+        const end = performance.now() + 40000;
         let frames = -1;
         let quiet = 0;
         const look = () => {
@@ -320,7 +320,7 @@ export async function sampleCells(page, fractions = [0.25, 0.5, 0.75]) {
   return points.map((point, k) => ({ ...point, S: values[k].S }));
 }
 
-/// Asserts that between two samplings the surface has moved on the support of patch [i, j] and not by one bit elsewhere.
+/// Asserts that between two samplings the surface has moved on the support of patch [i, j], and not by a bit elsewhere.
 export function assertMovedOnSupportOnly(before, after, { u, v }, [i, j]) {
   let inside = 0;
   before.forEach((point, k) => {

@@ -1,9 +1,9 @@
-// Opening and closing the surface: through the panel on the stage and through the page, and what becomes of the surface.
+// Opening and closing the surface, on the stage's panel and on the page, and what becomes of the surface.
 import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
-  call, clickWidget, course, cross, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, hasWidget, jet, jets,
-  length, minus, plus, record, sampleCells, settled, surfaceOf, times, unit,
+  call, clickWidget, course, cross, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, hasWidget, jet,
+  jets, length, minus, plus, record, sampleCells, settled, surfaceOf, times, unit,
 } from './stage.mjs';
 
 const all = [['open', 'open'], ['open', 'closed'], ['closed', 'open'], ['closed', 'closed']];
@@ -64,7 +64,9 @@ async function assertShape(page, topology) {
     ]);
     const axis = unit(minus(head, foot));
     const centre = mean(ring);
-    for (const point of ring) assert.ok(Math.abs(dot(minus(point, centre), axis)) < tiny, 'a ring is not across the axis');
+    for (const point of ring) {
+      assert.ok(Math.abs(dot(minus(point, centre), axis)) < tiny, 'a ring is not across the axis');
+    }
     const fromAxis = (point) => length(cross(minus(point, centre), axis));
     for (const point of points) assert.ok(Math.abs(fromAxis(point) - fromAxis(foot)) < tiny, 'not a cylinder');
   } else {
@@ -100,7 +102,8 @@ async function assertSeams(page) {
       }
       for (const name of names) {
         assert.ok(distance(first[name], last[name]) < 1e-11, `${name} jumps at the seam`);
-        assert.ok(distance(first[name], inside[name]) < 1e-4 * (1 + length(first[name])), `${name} jumps before the seam`);
+        const allowed = 1e-4 * (1 + length(first[name]));
+        assert.ok(distance(first[name], inside[name]) < allowed, `${name} jumps before the seam`);
       }
     }
   }
@@ -117,6 +120,12 @@ async function check(page, [u, v]) {
   assert.equal((await handlesOf(page)).length, (await surfaceOf(page)).locals.u * (await surfaceOf(page)).locals.v);
 }
 
+/// The radio buttons for a direction's topology beside the prose.
+function radiosOf(page, direction) {
+  const groups = page.getByRole('group', { name: new RegExp(`${direction}$`) });
+  return groups.filter({ has: page.getByRole('radio') }).first();
+}
+
 pageTest('every topology can be had by clicks on the panel', {}, async (page) => {
   // Each direction is opened and closed with the other one open and closed.
   const way = [['open', 'closed'], ['open', 'open'], ['closed', 'open'], ['closed', 'closed']];
@@ -131,7 +140,7 @@ pageTest('every topology can be had by clicks on the panel', {}, async (page) =>
 
 pageTest('every topology can be had through the controls beside the prose', {}, async (page) => {
   const choose = async (name, topology) => {
-    const group = page.getByRole('group', { name: new RegExp(`${name}$`) }).filter({ has: page.getByRole('radio') }).first();
+    const group = radiosOf(page, name);
     const radio = group.getByRole('radio', { name: topology, exact: false }).first();
     // The radio button itself is drawn by its label: that is what a reader clicks on.
     await group.getByText(new RegExp(`^${topology}`, 'i')).first().click();
@@ -145,7 +154,7 @@ pageTest('every topology can be had through the controls beside the prose', {}, 
 });
 
 pageTest('radio buttons can be had by keys, and follow the stage', {}, async (page) => {
-  const group = page.getByRole('group', { name: /u$/ }).filter({ has: page.getByRole('radio') }).first();
+  const group = radiosOf(page, 'u');
   const [open, closed] = ['open', 'closed'].map((name) => group.getByRole('radio', { name }));
   assert.equal(await closed.isChecked(), true);
   await closed.focus();
@@ -194,7 +203,8 @@ pageTest('the sheet rolls into its new shape in about 0.6 s', {}, async (page) =
   const recording = await record(page, () => clickWidget(page, 'topology.v: open'));
   const { stages, ms, slowest } = course(recording, (row) => row.handles);
   assert.ok(stages >= 3, `the sheet has been seen in ${stages} shapes only`);
-  assert.ok(ms > 600 - 2 * slowest && ms < 600 + 3 * slowest, `it has rolled for ${ms} ms, in frames of up to ${slowest}`);
+  const right = ms > 600 - 2 * slowest && ms < 600 + 3 * slowest;
+  assert.ok(right, `it has rolled for ${ms} ms, in frames of up to ${slowest} ms`);
 });
 
 pageTest('under reduced motion it is there at once', { reducedMotion: true }, async (page) => {
@@ -219,7 +229,7 @@ pageTest('a closure that the model does not have is refused, with the reason in 
   });
   assert.deepEqual(await documentOf(page), before);
 
-  const group = page.getByRole('group', { name: /u$/ }).filter({ has: page.getByRole('radio') }).first();
+  const group = radiosOf(page, 'u');
   const radio = group.getByRole('radio', { name: 'closed' });
   assert.equal(await radio.isDisabled(), true);
   const reason = await radio.evaluate((element) => {
@@ -241,9 +251,9 @@ pageTest('a fixed model stays what it is: an opened torus has a free seam', {}, 
   const closed = await sampleCells(page);
   await clickWidget(page, 'topology.u: open');
   await settled(page);
-  const { u, v, id } = await grid(page);
+  const { u, v } = await grid(page);
   const b = v.start + 0.3 * (v.end - v.start);
-  const ends = async () => [(await call(page, 'evaluate', id, [u.start, b], 0)).S, (await call(page, 'evaluate', id, [u.end, b], 0)).S];
+  const ends = async () => (await jets(page, [[u.start, b], [u.end, b]])).map(({ S }) => S);
   const [first, last] = await ends();
   assert.ok(distance(first, last) < 1e-12, 'the opened torus is no longer a torus');
   const document = await documentOf(page);
