@@ -226,6 +226,25 @@ void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::strin
   }
 }
 
+Paragraph balanced(const Interface& ui, Face face, std::string_view words, float widest) {
+  const auto extent = [&](float wrap) {
+    return font_of(ui, face)->CalcTextSizeA(size_of(ui, face), FLT_MAX, wrap, words.data(),
+                                            words.data() + words.size());
+  };
+  Paragraph best{widest, extent(widest)};
+  for (float wrap = widest - 8; wrap > widest / 2; wrap -= 8) {
+    const ImVec2 narrower = extent(wrap);
+    if (narrower.y > best.extent.y) break;
+    best = {wrap, narrower};
+  }
+  return best;
+}
+
+void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, std::string_view words,
+               float wrap) {
+  list.AddText(font_of(ui, face), size_of(ui, face), corner, ink, words.data(), words.data() + words.size(), wrap);
+}
+
 Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
   ImGui::SetCursorScreenPos(rect.min());
   ImGui::PushID(label.data(), label.data() + label.size());
@@ -520,18 +539,15 @@ void draw_hint(Interface& ui, const Rect& stage) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   sharpen(ui, list);
   const auto& item = ui.hint->rect;
-  const float size = size_of(ui, Face::small);
   const std::string& words = ui.hint->label;
-  const float wrap = std::min(220.0F, stage.width - 48);
-  const ImVec2 extent = ui.fonts.small->CalcTextSizeA(size, FLT_MAX, wrap, words.data(), words.data() + words.size());
+  const auto [wrap, extent] = balanced(ui, Face::small, words, std::min(220.0F, stage.width - 48));
   Rect box{0, 0, std::ceil(extent.x) + 18, std::ceil(extent.y) + 12};
   box.x = std::round(static_cast<float>(item[0] + item[2] / 2) - box.width / 2);
   box.x = std::clamp(box.x, stage.x + 8, std::max(stage.x + 8, stage.x + stage.width - box.width - 8));
   box.y = std::round(static_cast<float>(item[1] + item[3])) + 6;
   if (box.y + box.height > stage.y + stage.height - 8) box.y = std::round(static_cast<float>(item[1])) - box.height - 6;
   fill(list, box, colour(ui.theme.ink, 0.95F), 6);
-  list.AddText(ui.fonts.small, size, {box.x + 9, box.y + 6}, colour(ui.theme.paper), words.data(),
-               words.data() + words.size(), wrap);
+  paragraph(ui, list, Face::small, {box.x + 9, box.y + 6}, colour(ui.theme.paper), words, wrap);
 }
 
 }  // namespace knotwork::web

@@ -62,6 +62,15 @@ void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float 
 float text_width(const Interface& ui, Face face, std::string_view text);
 void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align = Align::left);
 
+/// Words in lines of even length that are no longer than `widest`: the width to wrap at, and the extent.
+struct Paragraph {
+  float wrap = 0;
+  ImVec2 extent;
+};
+Paragraph balanced(const Interface& ui, Face face, std::string_view words, float widest);
+void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, std::string_view words,
+               float wrap);
+
 /// One press area with the record of it; the base of all widgets.
 struct Press {
   bool hovered = false, held = false, clicked = false, taken = false, let_go = false;

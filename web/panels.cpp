@@ -31,6 +31,7 @@ constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "anima
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
 constexpr float padding = 16;       ///< inside the card
+constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
 constexpr float combo_margin = 40;  ///< beside the words of a closed list
 constexpr float clock_height = 64;  ///< from the stage's foot to the clock's upper edge
 constexpr float wide_stage = 660;   ///< from here on there is room for the wide card
@@ -495,6 +496,8 @@ void card(Frame& frame) {
   // Unfolded it lies over the picture, which must not shine through the small rows.
   const float opacity = frame.input.theme.panel_opacity;
   card_background(frame, rect, opacity + (0.97F - opacity) * smooth(frame.state.more_share));
+  // Where the pixel ratio is not whole, ImGui's clipping is a pixel off: rows end a little before the card does.
+  ImGui::PushClipRect(rect.min(), {rect.x + rect.width, rect.y + rect.height - foot_clip}, true);
   const float top = rect.y - ImGui::GetScrollY();
   Column column{rect.x + padding, rect.width - 2 * padding, top + 12};
   title_row(frame, column, 0);
@@ -526,6 +529,7 @@ void card(Frame& frame) {
   const float height = std::round(folded + (unfolded - folded) * share);
   if (height != frame.state.card_height) frame.ui.wants_frame = true;
   frame.state.card_height = height;
+  ImGui::PopClipRect();
   if (scrolls) fade_foot(frame, rect, 12);
   ImGui::End();
 }
@@ -565,6 +569,7 @@ void drawer(Frame& frame) {
                     ImGuiWindowFlags_NoBackground);
   sharpen(frame.ui, *ImGui::GetWindowDrawList());
   scroll_by_finger(frame, "drawer");
+  ImGui::PushClipRect(body.min(), {body.x + body.width, body.y + body.height - foot_clip}, true);
   Column column{body.x + padding, body.width - 2 * padding, body.y - ImGui::GetScrollY() + 2};
   first_part(frame, column);
   other_parts(frame, column);
@@ -573,6 +578,7 @@ void drawer(Frame& frame) {
   column.y += 12;
   ImGui::SetCursorScreenPos({body.x, column.y});
   ImGui::Dummy({1, 0});
+  ImGui::PopClipRect();
   fade_foot(frame, body, 0);
   ImGui::EndChild();
   ImGui::End();
@@ -687,21 +693,17 @@ void notice(Frame& frame) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   sharpen(frame.ui, list);
   const std::string& words = state.last_notice;
-  ImFont* font = frame.ui.fonts.regular;
-  const float size = frame.ui.touch ? text_height + 1 : text_height;
   // Beside the card where there is room: it is the card that a refusal is mostly about.
   const float free = frame.ui.touch ? frame.stage.width : card_frame(frame.stage).x;
-  const float wrap = std::min(360.0F, free - 72);
-  const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, wrap, words.data(), words.data() + words.size());
+  const auto [wrap, extent] = balanced(frame.ui, Face::regular, words, std::min(360.0F, free - 72));
   Rect box{0, 0, std::ceil(extent.x) + 40, std::ceil(extent.y) + 20};
   box.x = std::round((free - box.width) / 2);
   box.y = std::round(frame.stage.height - clock_height - 12 - box.height + 8 * (1 - share));
   soft_shadow(frame.ui, list, box, 10, share);
   list.AddRectFilled(box.min(), box.max(), colour(theme.ink, share), 10);
-  list.AddCircleFilled({box.x + 15, box.y + 10 + size / 2}, 3.5F,
+  list.AddCircleFilled({box.x + 15, box.y + 10 + text_height / 2}, 3.5F,
                        colour(theme.dark ? Colour{0.70F, 0.26F, 0.12F} : Colour{0.94F, 0.53F, 0.37F}, share));
-  list.AddText(font, size, {box.x + 27, box.y + 10}, colour(theme.paper, share), words.data(),
-               words.data() + words.size(), wrap);
+  paragraph(frame.ui, list, Face::regular, {box.x + 27, box.y + 10}, colour(theme.paper, share), words, wrap);
 }
 
 /// What the interface covers. It depends on the stage's size alone: a picture that moved aside whenever a row unfolds
