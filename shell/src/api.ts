@@ -63,7 +63,7 @@ export class ScriptInterface {
           .map(({ label, rect: [x, y, width, height] }) => ({ label, rect: [x + left, y + top, width, height] }));
       },
       evaluate: ((object: string, parameter: number | [number, number], order = 0) =>
-        module().evaluate(object, parameter, order)) as Knotwork['evaluate'],
+        module().evaluate(object, parameter, Number.isInteger(order) ? order : -1)) as Knotwork['evaluate'],
       play: () => change((bridge) => bridge.play(true)),
       pause: () => change((bridge) => bridge.play(false)),
       seek: (seconds) => change((bridge) => bridge.seek(seconds)),

@@ -21,11 +21,18 @@ export interface ModuleOptions {
 export type ModuleFactory = (options: ModuleOptions) => Promise<EmscriptenModule>;
 
 type Argument = number | string | Uint8Array;
-type ArgumentType = 'number' | 'string' | 'array';
 
 export interface EmscriptenModule {
-  ccall(name: string, result: 'string' | 'number', types: ArgumentType[], values: Argument[]): unknown;
+  ccall(name: string, result: 'string' | 'number', types: ('number' | 'string')[], values: (number | string)[]): unknown;
+  stringToUTF8(text: string, address: number, most: number): void;
+  lengthBytesUTF8(text: string): number;
+  writeArrayToMemory(bytes: Uint8Array, address: number): void;
+  _malloc(size: number): number;
+  _free(address: number): void;
 }
+
+/// Longer texts go through the heap: ccall itself would put them on WebAssembly's small stack.
+const longestOnStack = 2048;
 
 export enum PointerKind { move, down, up, cancel, leave }
 export enum Device { mouse, pen, touch }
@@ -176,16 +183,36 @@ export class Bridge {
   }
 
   private number(name: string, ...values: Argument[]): number {
-    return this.module.ccall(name, 'number', values.map(typeOf), values) as number;
+    return this.call(name, 'number', values) as number;
   }
   private string(name: string, ...values: Argument[]): string {
-    return this.module.ccall(name, 'string', values.map(typeOf), values) as string;
+    return this.call(name, 'string', values) as string;
+  }
+  private call(name: string, result: 'number' | 'string', values: Argument[]): unknown {
+    const borrowed: number[] = [];
+    const passed = values.map((value) => {
+      if (typeof value === 'number' || (typeof value === 'string' && value.length <= longestOnStack)) return value;
+      const address = this.onHeap(value);
+      borrowed.push(address);
+      return address;
+    });
+    try {
+      const types = passed.map((value) => (typeof value === 'number' ? 'number' : 'string'));
+      return this.module.ccall(name, result, types, passed);
+    } finally {
+      borrowed.forEach((address) => this.module._free(address));
+    }
+  }
+  private onHeap(value: string | Uint8Array): number {
+    const { module } = this;
+    const size = typeof value === 'string' ? module.lengthBytesUTF8(value) + 1 : value.length;
+    const address = module._malloc(size);
+    if (address === 0) throw new RefusedError('There is not enough memory for this.', '');
+    if (typeof value === 'string') module.stringToUTF8(value, address, size);
+    else module.writeArrayToMemory(value, address);
+    return address;
   }
   private json(name: string, ...values: Argument[]): unknown {
     return unwrap(this.string(name, ...values));
   }
-}
-
-function typeOf(value: Argument): ArgumentType {
-  return typeof value === 'string' ? 'string' : typeof value === 'number' ? 'number' : 'array';
 }

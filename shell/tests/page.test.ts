@@ -21,6 +21,11 @@ function recorder(answer: string | number = '{"value":null}'): [Bridge, unknown[
       calls.push([name, types, values]);
       return answer;
     },
+    lengthBytesUTF8: (text) => Buffer.byteLength(text),
+    stringToUTF8: (text, address, most) => calls.push(['written', text.length, address, most]),
+    writeArrayToMemory: (bytes, address) => calls.push(['written', bytes.length, address]),
+    _malloc: (size) => size === 0 ? 0 : 4096,
+    _free: (address) => calls.push(['freed', address]),
   };
   return [new Bridge(module), calls];
 }
@@ -35,15 +40,31 @@ test('an answer is unwrapped, an error is thrown with its path', () => {
   );
 });
 
+test('long texts and bytes go through the heap and are given back', () => {
+  const [bridge, calls] = recorder();
+  const text = 'é'.repeat(5000);
+  bridge.load(text);
+  assert.deepEqual(calls, [
+    ['written', 5000, 4096, 10001],
+    ['knotwork_load', ['number'], [4096]],
+    ['freed', 4096],
+  ]);
+  calls.length = 0;
+  bridge.font(new Uint8Array(7), 600);
+  assert.deepEqual(calls, [
+    ['written', 7, 4096],
+    ['knotwork_font', ['number', 'number', 'number'], [4096, 7, 600]],
+    ['freed', 4096],
+  ]);
+});
+
 test('values cross the border with the types that bridge.h declares', () => {
   const [bridge, calls] = recorder();
   bridge.set('topology.u', 'open');
   bridge.gesture(true);
-  bridge.font(new Uint8Array([1, 2]), 600);
   assert.deepEqual(calls, [
     ['knotwork_set', ['string', 'string'], ['topology.u', '"open"']],
     ['knotwork_gesture', ['number'], [1]],
-    ['knotwork_font', ['array', 'number', 'number'], [new Uint8Array([1, 2]), 2, 600]],
   ]);
 });
 

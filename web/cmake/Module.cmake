@@ -20,5 +20,5 @@ target_link_options(knotwork PRIVATE
   -lGL -lhtml5.js -lhtml5_webgl.js # what strictness no longer links by itself
   -sALLOW_UNIMPLEMENTED_SYSCALLS=1 # ImGui's and libc++'s printing refer to calls that are never made
   "-sEXPORTED_FUNCTIONS=[_main,_malloc,_free]"
-  "-sEXPORTED_RUNTIME_METHODS=[ccall,cwrap,UTF8ToString,stringToUTF8,lengthBytesUTF8]"
+  "-sEXPORTED_RUNTIME_METHODS=[ccall,UTF8ToString,stringToUTF8,lengthBytesUTF8,writeArrayToMemory]"
   $<$<CONFIG:Release>:-Oz>)
