@@ -52,7 +52,7 @@ double sup_distance(const BlendingSurface& a, const BlendingSurface& b) {
   const auto at = [](const KnotVector& knots, double share) {
     return share == 1 ? knots.end() : knots.start() + share * knots.period();
   };
-  const int steps = 61;
+  const int steps = 31;
   double largest = 0;
   for (int k = 0; k <= steps; ++k) {
     for (int l = 0; l <= steps; ++l) {
