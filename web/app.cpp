@@ -454,15 +454,23 @@ void App::run_interface(double seconds) {
   if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
   if (panel_output_.frame_all) frame_all(false);
   if (panel_output_.wants_frame) request_frames(2);
-  if (recompose_ && !panel_output_.wants_frame) {  // the panel stands where it will stay
-    recompose_ = false;
-    framed_once_ = true;
-    const scene::Camera camera = document_.camera;
-    const bool ours = camera_is_ours_;
-    frame_all(true);
-    if (!ours) (void)apply(document_, scene::SetCamera{camera});
-    camera_is_ours_ = ours;
+  if (panel_state_.drawer_open != drawer_was_open_) {
+    drawer_was_open_ = panel_state_.drawer_open;
+    recompose_ = true;
   }
+  if (recompose_ && !panel_output_.wants_frame) place_picture();  // the panel stands where it will stay
+}
+
+/// The stage or what covers it has changed. A camera that the reader has moved stays where it is.
+void App::place_picture() {
+  recompose_ = false;
+  const scene::Camera camera = document_.camera;
+  const bool ours = camera_is_ours_;
+  compose_for(*geometry_.surface, framed_once_ && ours ? camera_ms : 0);
+  framed_once_ = true;
+  if (ours) return;
+  (void)apply(document_, scene::SetCamera{camera});
+  camera_is_ours_ = false;
 }
 
 void App::draw() {

@@ -8,9 +8,10 @@
 namespace knotwork::web {
 namespace {
 
-constexpr double margin = 34, clearance = 12;  // CSS pixels to the stage's edge and to an obstacle
-constexpr int places = 7;                      // tried in each direction
-constexpr double smallest_share = 0.34;        // of the stage's shorter side; below it obstacles are ignored
+constexpr double widest_margin = 34;     // CSS pixels to the stage's edge
+constexpr double clearance = 10;         // CSS pixels to an obstacle
+constexpr int places = 7;                // tried in each direction
+constexpr double smallest_share = 0.34;  // of the stage's shorter side; below it obstacles are ignored
 
 /// The viewport whose free part has its middle at (x, y).
 Viewport centred(const Viewport& stage, double x, double y) {
@@ -28,6 +29,7 @@ struct Fit {
   std::span<const std::array<double, 4>> obstacles;
 
   bool clear(const glm::dvec3& screen, const Viewport& stage) const {
+    const double margin = std::min(widest_margin, 0.06 * std::min(stage.width, stage.height));
     if (screen.x < margin || screen.y < margin || screen.x > stage.width - margin || screen.y > stage.height - margin)
       return false;
     return std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& rect) {
@@ -72,7 +74,8 @@ Composition compose(const scene::Camera& direction, std::span<const glm::dvec3> 
   const glm::dvec3 middle = middle_of(points, make_view(direction, best.viewport));
   double radius = 0;
   for (const glm::dvec3& point : points) radius = std::max(radius, glm::distance(point, middle));
-  if (!(radius > 0) || !std::isfinite(radius)) return best;
+  const bool has_extent = radius > 1e-9 * (1 + glm::length(middle));
+  if (!has_extent || !std::isfinite(radius)) return best;
   best.camera.target = {middle.x, middle.y, middle.z};
 
   const Fit fit{direction, points, obstacles};

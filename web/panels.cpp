@@ -706,34 +706,6 @@ void notice(Frame& frame) {
   paragraph(frame.ui, list, Face::regular, {box.x + 27, box.y + 10}, colour(theme.paper, share), words, wrap);
 }
 
-/// What the interface covers. It depends on the stage's size alone: a picture that moved aside whenever a row unfolds
-/// would be worse than one that is covered for a while.
-Viewport covered(const PanelInput& input, float drawer_share) {
-  Viewport viewport = input.viewport;
-  viewport.inset_left = viewport.inset_top = viewport.inset_right = 0;
-  viewport.inset_bottom = clock_height;
-  if (input.phone) {
-    viewport.inset_top = 40;
-    viewport.inset_bottom += (0.68 * viewport.height - clock_height) * static_cast<double>(smooth(drawer_share));
-    return viewport;
-  }
-  const Rect stage{0, 0, static_cast<float>(viewport.width), static_cast<float>(viewport.height)};
-  const Rect place = card_frame(stage);
-  const double side = static_cast<double>(stage.width - place.x);
-  const double foot = stage.height >= tall_stage ? 400 : 330;
-  // Either the picture stands beside the card, or it lies below it; surfaces are mostly wider than high, so that below
-  // half of the card's height is enough.
-  const double beside = std::min(viewport.width - side, viewport.height - clock_height);
-  const double below = std::min(viewport.width, viewport.height - clock_height - 0.5 * foot);
-  if (beside > below) {
-    viewport.inset_right = side;
-  } else {
-    viewport.inset_top = 0.5 * foot;
-    viewport.inset_right = 0.12 * side;
-  }
-  return viewport;
-}
-
 }  // namespace
 
 PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
@@ -775,7 +747,6 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
 
   output.wants_frame = state.moving = ui.wants_frame;
   output.widgets = std::move(ui.widgets);
-  output.insets = covered(input, state.drawer_share);
   return output;
 }
 

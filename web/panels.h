@@ -66,7 +66,6 @@ struct PanelOutput {
   bool wants_frame = false;  ///< something in the interface is still moving
   std::vector<Widget> widgets;
   std::vector<std::array<double, 4>> regions;  ///< cards and popups that take pointers, x y width height in CSS pixels
-  Viewport insets;                             ///< the viewport with the insets that panel and clock cover
 };
 
 /// Draws panel, clock, probe and notice with ImGui inside a running ImGui frame.

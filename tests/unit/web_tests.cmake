@@ -1,6 +1,7 @@
 # Paths relative to tests/. What the front end does without GL, ImGui and Emscripten.
 set(KNOTWORK_WEB_TESTS
   unit/camera_test.cpp
+  unit/composition_test.cpp
   unit/gizmo_test.cpp
   unit/interaction_test.cpp
   unit/patch_drag_test.cpp
