@@ -93,12 +93,12 @@ void let_go(InteractionState& state, Outcome& outcome, bool cancelled) {
 
 /// Patches may have gone since the last event, by another number of local surfaces or another document.
 void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcome) {
+  if (holds_patch(state) && !exists(stage, state.held.patch)) {
+    let_go(state, outcome, false);
+    outcome.notice.clear();
+    state.drag = Drag::rest;
+  }
   if (state.selected && !exists(stage, *state.selected)) {
-    if (holds_patch(state)) {
-      let_go(state, outcome, false);
-      outcome.notice.clear();
-      state.drag = Drag::rest;
-    }
     end_nudge(state, outcome);
     state.selected.reset();
     state.hovered_part.reset();

@@ -841,6 +841,16 @@ TEST_CASE("patches that go while they are held or selected are let go") {
   CHECK(reader.state.drag == Drag::none);
   CHECK_FALSE(reader.happen(select(reader.state, reader.stage(), scene::PatchIndex{5, 3})).redraw);
 
+  // The selection may have been taken away from outside, with the hand still on the patch.
+  const glm::dvec2 other = reader.at({2, 0});
+  reader.happen(select(reader.state, reader.stage(), scene::PatchIndex{2, 0}));
+  reader.down(other);
+  reader.move(other + glm::dvec2(30, 0));
+  reader.state.selected.reset();
+  reader.object().locals_u = 2;
+  CHECK(reader.move(other + glm::dvec2(40, 0)).end_gesture);
+  reader.up(other);
+
   // More patches in the document than on the stage as yet.
   reader.frame_each_event = false;
   reader.object().locals_u = 20;
