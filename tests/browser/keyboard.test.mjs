@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './site.mjs';
 import {
-  assertMovedOnSupportOnly, call, distance, documentOf, drag, frontHandle, grid, handlesOf, length, minus, patchOf,
-  plus, sampleCells, settled, surfaceOf,
+  assertMovedOnSupportOnly, call, difference, distance, documentOf, drag, frontHandle, grid, handlesOf, length, minus,
+  patchOf, picture, plus, sampleCells, settled, surfaceOf,
 } from './stage.mjs';
 
 const focused = (page) =>
@@ -34,13 +34,11 @@ pageTest('Tab reaches the stage and leaves it again, both ways', {}, async (page
 });
 
 pageTest('the focus on the stage can be seen', {}, async (page) => {
+  await settled(page);
+  const without = await picture(page);
   await tabToStage(page);
-  const outline = await page.evaluate(() => {
-    const style = getComputedStyle(document.querySelector('canvas'));
-    const frame = getComputedStyle(document.querySelector('.stage'), '::after');
-    return [style.outlineStyle, style.boxShadow, frame.outlineStyle, frame.boxShadow];
-  });
-  assert.ok(outline.some((value) => value && value !== 'none' && value !== 'auto 0px'), `${outline}`);
+  await settled(page);
+  assert.ok(difference(without, await picture(page), 30) > 0.001, 'the stage looks as if it had no focus');
 });
 
 pageTest('arrow keys move the selected patch, and its support only', {}, async (page) => {
