@@ -34,4 +34,5 @@ target_compile_definitions(knotwork_imgui PUBLIC
   IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
 knotwork_small(knotwork_imgui)
 knotwork_floating_point(knotwork_imgui)
+knotwork_webassembly(knotwork_imgui)
 knotwork_exceptions(knotwork_imgui)

@@ -5,6 +5,9 @@ set(rows "")
 foreach(shader IN LISTS SHADERS)
   get_filename_component(name "${shader}" NAME)
   file(READ "${shader}" text)
+  # Comments and indentation are for readers of the file; the lines stay, so that a compiler's log still names them.
+  string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "\n[ \t]+" "\n" text "${text}")
   # The delimiter never occurs in GLSL, so any text fits between the brackets unescaped.
   string(APPEND rows "    Shader{\"${name}\", R\"~glsl~(${text})~glsl~\"},\n")
 endforeach()
