@@ -21,9 +21,10 @@ namespace {
 
 constexpr double roll_ms = 600, camera_ms = 350, notice_ms = 4200;
 constexpr double usual_frame_ms = 1000.0 / 60;
-constexpr double longest_step = 0.1;         // seconds of clock after a pause in drawing
-constexpr int frames_after_event = 3;        // ImGui spreads a quick tap over this many frames
-constexpr int rolling_samples = 192;         // while the static part changes in every frame
+constexpr double longest_step = 0.1;   // seconds of clock after a pause in drawing
+constexpr int frames_after_event = 3;  // ImGui spreads a quick tap over this many frames
+constexpr int rolling_samples = 192;   // while the static part changes in every frame
+constexpr glm::dvec2 nowhere{-1e9, -1e9};
 constexpr double handle_neighbourhood = 60;  // CSS pixels; farther handles cannot be meant
 constexpr double phone_width = 520;          // CSS pixels; a narrower stage has a drawer
 
@@ -142,11 +143,13 @@ void App::say(std::string notice) {
 }
 
 Status App::perform(const scene::Command& command) {
+  std::string also = scene::notice(document_, command);
   Status status = history_.perform(document_, command);
   if (!status) {
     say(status.error().message);
     return status;
   }
+  if (!also.empty()) say(std::move(also));
   changed();
   return status;
 }
@@ -202,8 +205,7 @@ bool App::redo() {
 }
 
 void App::select(std::optional<scene::PatchIndex> patch) {
-  interaction_.selected = patch;
-  if (patch) say("Patch " + std::to_string(patch->first) + ", " + std::to_string(patch->second) + " selected");
+  apply_outcome(web::select(interaction_, stage(nowhere), patch));
   changed();
 }
 
@@ -305,7 +307,7 @@ void App::update_floor() {
 }
 
 const std::vector<Handle>& App::handles() {
-  if (!geometry_.surface) update_geometry();
+  update_geometry();  // a script may ask between a command and its frame
   const View now = view();
   if (handles_.empty()) {
     const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
@@ -405,6 +407,7 @@ bool App::frame(double now) {
 
   advance(now);
   update_geometry();
+  if (document_.animation.playing) apply_outcome(web::hold(interaction_, stage(nowhere)));
   run_interface(seconds);
   advance_roll(now);  // what the interface has just changed is in this very picture
   const double evaluate_start = milliseconds();
@@ -521,7 +524,6 @@ Picture App::picture() {
 // --- Events --------------------------------------------------------------------------------------------------------
 
 Stage App::stage(glm::dvec2 position) {
-  if (!geometry_.surface) update_geometry();
   handles();
   stage_view_ = view();
   for (Handle& handle : handles_) {
@@ -571,7 +573,10 @@ bool App::over_interface(glm::dvec2 position) const {
 }
 
 bool App::pointer(const PointerEvent& event) {
-  if (!std::isfinite(event.position.x) || !std::isfinite(event.position.y)) return false;
+  if (!std::isfinite(event.position.x) || !std::isfinite(event.position.y)) {
+    apply_outcome(web::pointer(interaction_, stage(nowhere), event));  // at most it lets go of a pointer
+    return false;
+  }
   ImGuiIO& io = ImGui::GetIO();
   const bool touch = event.device == PointerDevice::touch;
   const bool over = over_interface(event.position);
@@ -632,13 +637,14 @@ bool App::key(const KeyEvent& event) {
     request_frames(frames_after_event);
     if (panel_state_.list_open) return true;
   }
-  const Outcome outcome = web::key(interaction_, stage({-1e9, -1e9}), event);
+  const Outcome outcome = web::key(interaction_, stage(nowhere), event);
   apply_outcome(outcome);
   return outcome.used;
 }
 
 void App::focus(bool focused) {
   ImGui::GetIO().AddFocusEvent(focused);
+  if (!focused) apply_outcome(web::blur(interaction_));
   request_frames(frames_after_event);
 }
 

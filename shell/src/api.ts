@@ -66,7 +66,7 @@ export class ScriptInterface {
         module().evaluate(object, parameter, Number.isInteger(order) ? order : -1)) as Knotwork['evaluate'],
       play: () => change((bridge) => bridge.play(true)),
       pause: () => change((bridge) => bridge.play(false)),
-      seek: (seconds) => change((bridge) => bridge.seek(seconds)),
+      seek: (seconds) => change((bridge) => bridge.seek(typeof seconds === 'number' ? seconds : Number.NaN)),
       undo: () => change((bridge) => bridge.undo()),
       redo: () => change((bridge) => bridge.redo()),
       export: (format) => {

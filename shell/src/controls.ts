@@ -103,10 +103,15 @@ function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Co
   const reason = reasonFor(place);
   let dragging = false;
   input.addEventListener('input', () => {
+    const value = input.valueAsNumber;  // before the gesture brings the control up to date
     if (!dragging) setter.gesture((dragging = true));
-    setter.set(parameter.id, input.valueAsNumber);
+    setter.set(parameter.id, value);
   });
-  input.addEventListener('change', () => setter.gesture((dragging = false)));
+  // A drag that ends where it began fires no `change`.
+  for (const end of ['change', 'pointerup', 'pointercancel', 'keyup', 'blur'])
+    input.addEventListener(end, () => {
+      if (dragging) setter.gesture((dragging = false));
+    });
   place.replaceChildren(label, input, output, reason.element);
   return {
     id: parameter.id,

@@ -2,6 +2,7 @@
 
 add_executable(knotwork ${KNOTWORK_WEB_APP_SOURCES})
 knotwork_own_code(knotwork)
+knotwork_whole_program(knotwork)
 knotwork_small(knotwork)
 target_link_libraries(knotwork PRIVATE knotwork_web_logic knotwork_imgui nlohmann_json::nlohmann_json)
 target_compile_definitions(knotwork PRIVATE KNOTWORK_VERSION="${PROJECT_VERSION}" JSON_NO_IO)
@@ -21,4 +22,5 @@ target_link_options(knotwork PRIVATE
   -sALLOW_UNIMPLEMENTED_SYSCALLS=1 # ImGui's and libc++'s printing refer to calls that are never made
   "-sEXPORTED_FUNCTIONS=[_main,_malloc,_free]"
   "-sEXPORTED_RUNTIME_METHODS=[ccall,UTF8ToString,stringToUTF8,lengthBytesUTF8,writeArrayToMemory]"
+  $<$<CONFIG:Release>:-flto>
   $<$<CONFIG:Release>:-Oz>)
