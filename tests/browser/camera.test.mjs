@@ -1,6 +1,6 @@
 // The camera, turned, shifted and brought closer by mouse, wheel and fingers.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   call, course, difference, distance, documentOf, drag, fingers, frameDrawn, handlesOf, minus, nextUndo, picture,
   plus, projection, record, settled, stageRect, until,

@@ -1,6 +1,6 @@
 // Panel and page beside topology: blending function, counts, what is shown, undo. Both work on the one document.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, nextUndo, parameter, picture, plus,
   sampleCells, settled, showMore, statsOf, surfaceOf, until, widget,
@@ -97,7 +97,7 @@ const toggles = [
   'display.normals', 'display.handles',
 ];
 
-const still = { drawn: true, reducedMotion: true };
+const still = { drawn: true, reducedMotion: true, size: [1040, 800] };
 
 pageTest('each thing shown can be switched in the panel, and makes a difference', still, async (page) => {
   await showMore(page, 'display.wireframe');

@@ -1,6 +1,6 @@
 // Local patches held by mouse, pen and touch: what moves, how far, and what undo makes of it.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   assertMovedOnSupportOnly, call, clickWidget, cross, distance, documentOf, dot, drag, eyeOf, fingers, frameDrawn,
   frontHandle, grid, handleAt, handlesOf, jet, length, minus, nextUndo, patchOf, plus, projection, sampleCells,

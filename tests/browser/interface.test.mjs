@@ -1,6 +1,6 @@
 // The script interface: its names, its shapes, and the wall that bad input meets.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   call, difference, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, parameter, picture, settled,
   statsOf, surfaceOf,

@@ -1,6 +1,6 @@
 // The stage by keys alone, and the way in and out of it.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   assertMovedOnSupportOnly, call, difference, distance, documentOf, drag, frontHandle, grid, handlesOf, length, minus,
   patchOf, picture, plus, sampleCells, settled, surfaceOf,

@@ -1,6 +1,6 @@
 // The clock: playing, pausing, seeking, and doing nothing at all.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   call, clickWidget, documentOf, frameDrawn, handlesOf, nextUndo, sampleCells, settled, statsOf, surfaceOf, until,
 } from './stage.mjs';

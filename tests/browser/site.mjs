@@ -4,7 +4,6 @@ import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { dirname, extname, join, normalize, resolve } from 'node:path';
-import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { serve } from '../../shell/scripts/static.mjs';
@@ -30,9 +29,11 @@ const browserArguments = [
 ];
 
 const closing = [];
-after(async () => {
+
+/// Ends the shared browser and the shell's server.
+export async function closeShared() {
   for (const close of closing.reverse()) await close();
-});
+}
 
 function once(make) {
   let made;
@@ -155,17 +156,4 @@ export async function openPage(options = {}) {
     complaints: () => complaints.filter((text) => !(options.expected ?? []).some((pattern) => pattern.test(text))),
     close: () => context.close(),
   };
-}
-
-/// A test on a page of its own. It fails when the browser has complained about anything.
-export function pageTest(name, options, body) {
-  test(name, { timeout: 120_000 }, async () => {
-    const opened = await openPage(options);
-    try {
-      await body(opened.page, opened);
-      assert.deepEqual(opened.complaints(), [], 'the browser complained');
-    } finally {
-      await opened.close();
-    }
-  });
 }

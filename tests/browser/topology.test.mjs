@@ -1,6 +1,6 @@
 // Opening and closing the surface, on the stage's panel and on the page, and what becomes of the surface.
 import assert from 'node:assert/strict';
-import { pageTest } from './site.mjs';
+import { pageTest } from './page_test.mjs';
 import {
   call, clickWidget, course, cross, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, hasWidget, jet,
   jets, length, minus, plus, record, sampleCells, settled, surfaceOf, times, unit,
