@@ -2,7 +2,6 @@
 
 add_executable(knotwork ${KNOTWORK_WEB_APP_SOURCES})
 knotwork_own_code(knotwork)
-knotwork_whole_program(knotwork)
 knotwork_small(knotwork)
 target_link_libraries(knotwork PRIVATE knotwork_web_logic knotwork_imgui nlohmann_json::nlohmann_json)
 target_compile_definitions(knotwork PRIVATE KNOTWORK_VERSION="${PROJECT_VERSION}" JSON_NO_IO)
