@@ -287,11 +287,12 @@ void Renderer::draw(const Picture& picture) {
     program.set("u_eye", glm::vec3(view.eye));
     // The lights hang on the camera's heading, so that a turned surface is always well lit.
     const glm::dvec3 key =
-        glm::normalize(-0.42 * view.right + 0.30 * view.up - 0.30 * view.forward + glm::dvec3(0, 0, 0.62));
+        glm::normalize(-0.44 * view.right + 0.34 * view.up - 0.58 * view.forward + glm::dvec3(0, 0, 0.46));
     const glm::dvec3 fill = glm::normalize(0.8 * view.right + 0.1 * view.up - 0.1 * view.forward);
     program.set("u_key_light", glm::vec3(key));
     program.set("u_fill_light", glm::vec3(fill));
     program.set("u_ambient", picture.theme.dark ? 0.36F : 0.56F);
+    program.set("u_lift", picture.theme.dark ? 0.0F : 0.04F);
     program.set("u_sheen", picture.theme.dark ? 0.62F : 1.0F);
     program.set("u_plain_hue", oklab(picture.theme.dark ? Colour{0.62F, 0.66F, 0.71F} : Colour{0.80F, 0.79F, 0.76F}));
     program.set("u_patch_colours", picture.display.patch_colours ? 1.0F : 0.0F);

@@ -24,7 +24,7 @@ void main() {
   v_rim = vec4(a_rim.rgb, a_rim.w * u_pixel_ratio);
   place.xy += v_offset / (0.5 * u_viewport * u_pixel_ratio) * place.w;
   // Its depth is that of a point nearer to the reader, so that the surface does not cut its own handles.
-  vec3 lifted = a_place.xyz + normalize(u_eye - a_place.xyz) * (2.5 * a_place.w * u_pixel_size);
+  vec3 lifted = a_place.xyz + normalize(u_eye - a_place.xyz) * (4.0 * a_place.w * u_pixel_size);
   vec4 nearer = u_view_projection * vec4(lifted, 1.0);
   place.z = nearer.z / nearer.w * place.w;
   gl_Position = place;

@@ -15,6 +15,7 @@ uniform float u_wireframe;   // opacity
 uniform vec3 u_line_colour;  // sRGB
 uniform float u_pixel_ratio;
 uniform float u_ambient;
+uniform float u_lift;        // added lightness: ink hues of the light scheme are deep for a lit body
 uniform float u_sheen;       // brightness of what the gloss reflects
 uniform vec4 u_held_cells;   // knot range (u0, u1, v0, v1) of the held patch's support, in intervals
 uniform vec2 u_knot_period;  // number of intervals in a closed direction, 0 in an open one
@@ -45,6 +46,7 @@ void main() {
   if (dot(normal, to_eye) < 0.0) normal = normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
   vec3 hue = mix(u_plain_hue, v_hue, u_patch_colours);
+  hue = vec3(hue.x + u_lift, hue.yz * (1.0 + u_lift));
   hue = mix(hue, vec3(hue.x * 0.93, hue.yz * 0.72), back);
   vec3 albedo = linear_from_oklab(hue);
 
