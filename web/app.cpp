@@ -171,7 +171,12 @@ Status App::open_chapter(std::string_view id) {
   return status;
 }
 
+/// The history has one gesture at a time. When something else ends it under a hand, what the hand goes on to do is
+/// another step.
+void App::forget_gesture() { interaction_.gesture_open = interaction_.nudging = false; }
+
 void App::gesture(bool open) {
+  forget_gesture();
   if (open) {
     history_.begin_gesture();
   } else {
@@ -182,6 +187,7 @@ void App::gesture(bool open) {
 
 bool App::undo() {
   const scene::Camera camera = document_.camera;
+  forget_gesture();
   if (!history_.undo(document_)) return false;
   after_travel(camera);
   return true;
@@ -199,6 +205,7 @@ void App::after_travel(const scene::Camera& camera_before) {
 
 bool App::redo() {
   const scene::Camera camera = document_.camera;
+  forget_gesture();
   if (!history_.redo(document_)) return false;
   after_travel(camera);
   return true;
@@ -233,6 +240,7 @@ void App::update_geometry() {
     geometry_.surface = scene::build_surface(object, document_.animation, roll_.shown);
     geometry_.roll = roll_.shown;
     geometry_.tables_uploaded = geometry_.hues_uploaded = false;
+    floor_.half_size = 0;  // another shape needs another floor, even while it moves
   }
   geometry_.object = object;
   geometry_.animation = document_.animation;
@@ -328,11 +336,10 @@ void App::advance_roll(double now) {
     roll_.from = roll_.shown;
     roll_.to = rest;
     roll_.start = now;
-    roll_.active = !reduced_motion_;
+    roll_.active = !reduced_motion_ && !same(roll_.from, rest);
     if (!roll_.active) roll_.shown = rest;
 
-    if (camera_is_ours_ && interaction_.drag == InteractionState::Drag::none)
-      compose_for(surface_at_rest(), roll_.active ? roll_ms : 0);
+    if (camera_is_ours_ && interaction_.drag == InteractionState::Drag::none) compose_for(surface_at_rest(), roll_ms);
   }
   if (!roll_.active) return;
   const double share = (now - roll_.start) / roll_ms;
@@ -341,6 +348,7 @@ void App::advance_roll(double now) {
   if (share >= 1) {
     roll_.active = false;
     roll_.shown = roll_.to;
+    geometry_.tables_uploaded = false;  // they may still be as coarse as while rolling
   }
   request_frames(2);
 }
@@ -407,7 +415,8 @@ bool App::frame(double now) {
 
   advance(now);
   update_geometry();
-  if (document_.animation.playing) apply_outcome(web::hold(interaction_, stage(nowhere)));
+  // The stage's net costs as much as a mesh: only a held patch is worth it in every frame.
+  if (document_.animation.playing && interaction_.gesture_open) apply_outcome(web::hold(interaction_, stage(nowhere)));
   run_interface(seconds);
   advance_roll(now);  // what the interface has just changed is in this very picture
   const double evaluate_start = milliseconds();
@@ -591,12 +600,14 @@ bool App::pointer(const PointerEvent& event) {
     interface_has_it = true;
   }
   // ImGui has one mouse: it follows the pointer it holds, else the hovering one, never a second finger.
-  const bool mouse_for_interface = interface_has_it || (nothing_held && !touch) || event.type == PointerType::down;
+  const bool mouse_is_free = interface_has_it || interface_pointers_.empty();
+  const bool mouse_for_interface =
+      interface_has_it || (mouse_is_free && nothing_held && (!touch || event.type == PointerType::down));
   if (mouse_for_interface && event.type != PointerType::leave)
     io.AddMousePosEvent(static_cast<float>(event.position.x), static_cast<float>(event.position.y));
   if (event.type == PointerType::leave && !interface_has_it) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
-  if (event.type == PointerType::down && event.button <= 0) io.AddMouseButtonEvent(0, true);
-  if (event.type == PointerType::up || event.type == PointerType::cancel) {
+  if (event.type == PointerType::down && event.button <= 0 && mouse_for_interface) io.AddMouseButtonEvent(0, true);
+  if (mouse_is_free && (event.type == PointerType::up || event.type == PointerType::cancel)) {
     io.AddMouseButtonEvent(0, false);
     if (touch) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
   }
@@ -619,6 +630,8 @@ bool App::pointer(const PointerEvent& event) {
 
 bool App::wheel(const WheelEvent& event) {
   if (over_interface(event.position)) {
+    const bool zooms = event.modifiers.control || event.modifiers.meta;
+    if (!panel_output_.takes_wheel) return zooms;  // a plain wheel belongs to the page
     ImGuiIO& io = ImGui::GetIO();
     io.AddMousePosEvent(static_cast<float>(event.position.x), static_cast<float>(event.position.y));
     io.AddMouseWheelEvent(0, static_cast<float>(-event.delta.y / 100));

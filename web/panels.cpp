@@ -72,6 +72,8 @@ std::string text_of(const char* format, double value) {
   std::array<char, 48> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, value);
   std::string text(buffer.data());
+  // A value that rounds to zero has no sign.
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
   // The typographic minus is as wide as a figure.
   if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
   return text;
@@ -244,6 +246,7 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
   }
   const std::string present = choice(frame, parameter);
   const bool scrolls = wanted > box.height;
+  frame.output.takes_wheel = frame.output.takes_wheel || scrolls;
   const float items = box.width - 2 * edge - (scrolls ? ImGui::GetStyle().ScrollbarSize - 2 : 0);
   float y = box.y + edge - ImGui::GetScrollY();
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
@@ -491,6 +494,7 @@ void card(Frame& frame) {
   const float wanted = frame.state.card_height > 0 ? frame.state.card_height : 330.0F;
   const Rect rect{place.x, place.y, place.width, std::min(wanted, place.height)};
   const bool scrolls = wanted > place.height + 0.5F && frame.state.show_more;
+  frame.output.takes_wheel = frame.output.takes_wheel || scrolls;
   begin(frame, "panel", rect, scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!frame.state.show_more && ImGui::GetScrollY() > 0) ImGui::SetScrollY(0);
   // Unfolded it lies over the picture, which must not shine through the small rows.

@@ -64,6 +64,7 @@ struct PanelOutput {
   bool begin_gesture = false, end_gesture = false;  ///< a slider was taken, let go
   bool undo = false, redo = false, frame_all = false, reset_patches = false;
   bool wants_frame = false;  ///< something in the interface is still moving
+  bool takes_wheel = false;  ///< the card or an open list is longer than its place: a plain wheel over it scrolls it
   std::vector<Widget> widgets;
   std::vector<std::array<double, 4>> regions;  ///< cards and popups that take pointers, x y width height in CSS pixels
 };

@@ -19,6 +19,8 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge): void {
   };
 
   canvas.addEventListener('pointerdown', (event) => {
+    // The ring is for those who came by key; focus() from a script would show it to everybody.
+    canvas.dataset['held'] = '';
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     pointer(PointerKind.down)(event);
@@ -29,15 +31,17 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge): void {
   canvas.addEventListener('pointerleave', pointer(PointerKind.leave));
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
 
-  // A plain wheel scrolls the page. With Ctrl or Meta, as a pinch on a trackpad sends it, it zooms.
+  // A plain wheel scrolls the page, or a panel that is longer than its place. With Ctrl or Meta, as a pinch on a trackpad
+  // sends it, it zooms.
   canvas.addEventListener(
     'wheel',
     (event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
+      const zooms = event.ctrlKey || event.metaKey;
+      if (zooms) event.preventDefault();
       const unit = wheelUnit(event.deltaMode, canvas.clientHeight);
       const [x, y] = position(event);
-      bridge.wheel(event.deltaX * unit, event.deltaY * unit, x, y, modifiersOf(event));
+      const used = bridge.wheel(event.deltaX * unit, event.deltaY * unit, x, y, modifiersOf(event));
+      if (used && !zooms) event.preventDefault();
     },
     { passive: false },
   );
@@ -45,6 +49,7 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge): void {
 
   canvas.addEventListener('keydown', (event) => {
     if (event.isComposing) return;
+    delete canvas.dataset['held'];
     const used = bridge.key(true, event.key, modifiersOf(event));
     if (used && event.key !== 'Tab') event.preventDefault();
   });
