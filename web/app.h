@@ -101,6 +101,7 @@ class App {
   void advance_roll(double now);
   void update_geometry();
   bool same_static_part(const scene::BlendingSurfaceObject& object) const;
+  void forget_gesture();
   void after_travel(const scene::Camera& camera_before);
   void update_floor();
   void upload();
