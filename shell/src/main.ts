@@ -52,7 +52,8 @@ function start(bridge: Bridge, fonts: [Uint8Array, Uint8Array] | null): void {
   // The size's observer has drawn the first frame by then.
   requestAnimationFrame(() =>
     requestAnimationFrame(() => {
-      raise();
+      // Not over a message that has come up since.
+      if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
       api.settle();
     }),
   );

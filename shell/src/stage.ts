@@ -53,6 +53,7 @@ export class Stage {
   }
 
   private draw(now: number): void {
+    cancelAnimationFrame(this.pending);  // a resize draws before its turn: left waiting, it would start a second chain
     this.pending = 0;
     try {
       if (this.bridge.frame(now)) this.request();
