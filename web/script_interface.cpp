@@ -203,7 +203,9 @@ std::string answer_play(App& app, bool playing) {
 
 std::string answer_seek(App& app, double seconds) {
   if (!std::isfinite(seconds)) return refusal({"seconds", "The clock is set to a finite number of seconds."});
-  const double wrapped = seconds - scene::clock_period * std::floor(seconds / scene::clock_period);
+  // fmod is exact: a product with the number of periods would leave the period for large clocks.
+  const double rest = std::fmod(seconds, scene::clock_period);
+  const double wrapped = rest < 0 ? rest + scene::clock_period : rest;
   return answer(app.perform(scene::SetParameter{"animation.time", wrapped}));
 }
 
