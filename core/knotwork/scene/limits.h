@@ -34,7 +34,7 @@ inline constexpr Limits amplitude{0, 3};                  ///< model units (a se
 inline constexpr Limits share{0, 1};
 inline constexpr Limits objects{1, 16};  ///< how many in a document
 inline constexpr Limits patches{0, max_locals* max_locals};
-inline constexpr Limits id_length{1, 64}, label_length{0, 200};  ///< bytes
+inline constexpr Limits id_length{1, 64}, label_length{0, 200};  ///< characters
 }  // namespace limits
 
 }  // namespace knotwork::scene
