@@ -51,10 +51,4 @@ std::string side_effect(const Document& document, const Parameter& parameter, co
 /// The limits of a number now: those of blending.parameter are the B-function's.
 Limits range_of(const Document& document, const Parameter& parameter);
 
-/// The ids: topology.u topology.v (choice open|closed) · model (choice sheet|plane|cylinder|torus) · locals.u locals.v
-/// · blending.function (choice, ids of blending_families()) · blending.parameter · samples.u samples.v ·
-/// display.surface display.colours display.knots display.wireframe display.locals display.frames display.normals
-/// display.handles (toggles) · animation.playing (toggle) animation.time animation.speed · motion.kind (choice
-/// breathe|report) motion.amplitude motion.translation motion.rotation
-
 }  // namespace knotwork::scene
