@@ -15,7 +15,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double least_free_share = 0.25;
-constexpr double frame_fill = 0.92;  // share of the free area's shorter side that a framed ball takes
 constexpr double near_share = 0.02;  // of the distance
 // The ground and patches dragged far out must not be cut off when the reader comes close to one spot.
 constexpr double far_share = 20, far_least = 40;
@@ -140,16 +139,6 @@ scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor
   zoomed.target +=
       to_eigen((1 - zoomed.distance / camera.distance) * size * (offset.x * view.right - offset.y * view.up));
   return limited(zoomed, camera);
-}
-
-scene::Camera frame(const scene::Camera& camera, glm::dvec3 centre, double radius, const Viewport& viewport) {
-  static_cast<void>(viewport);  // the field of view is the free area's, hence the same at every size
-  scene::Camera framed = camera;
-  framed.target = to_eigen(centre);
-  // The rim of a ball of radius r is seen under the half angle a with sin a = r / distance.
-  const double tangent = frame_fill * std::tan(0.5 * field_of_view);
-  framed.distance = radius * std::hypot(1.0, tangent) / tangent;
-  return limited(framed, camera);
 }
 
 scene::Camera between(const scene::Camera& from, const scene::Camera& to, double share) {

@@ -58,8 +58,6 @@ scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewpo
 scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view);
 /// factor > 1 comes closer; the point under `anchor` at the target's depth stays there.
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view);
-/// Same direction, the ball of `radius` round `centre` fills the free part of the viewport up to a small margin.
-scene::Camera frame(const scene::Camera& camera, glm::dvec3 centre, double radius, const Viewport& viewport);
 
 /// Between two cameras, eased; share in [0,1]. Turns the shorter way round.
 scene::Camera between(const scene::Camera& from, const scene::Camera& to, double share);

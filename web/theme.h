@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 using Colour = scene::Colour;
 
-/// The stage's share of shell/src/tokens.css: the same values, light and dark.
+/// The stage's share of shell/src/style/tokens.css: the same values, light and dark.
 struct Theme {
   bool dark = false;
   Colour paper, panel, ink, ink_soft, rule, stage, stage_edge, accent, focus;
