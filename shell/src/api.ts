@@ -1,4 +1,4 @@
-import type { Bridge } from './bridge';
+import { RefusedError, type Bridge } from './bridge';
 import type { ExportFormat, Knotwork } from './knotwork';
 
 /// Makes window.knotwork. Until `attach` the functions say that it is too early.
@@ -44,9 +44,9 @@ export class ScriptInterface {
         return module().version();
       },
       document: () => module().document(),
-      load: (document) => change((bridge) => bridge.load(JSON.stringify(document) ?? 'null')),
+      load: (document) => change((bridge) => bridge.load(jsonOf(document))),
       parameters: () => module().parameters(),
-      set: (id, value) => change((bridge) => bridge.set(id, value)),
+      set: (id, value) => change((bridge) => bridge.set(String(id), value)),
       handles: () => {
         const { left, top } = corner();
         return module()
@@ -63,7 +63,7 @@ export class ScriptInterface {
           .map(({ label, rect: [x, y, width, height] }) => ({ label, rect: [x + left, y + top, width, height] }));
       },
       evaluate: ((object: string, parameter: number | [number, number], order = 0) =>
-        module().evaluate(object, parameter, Number.isInteger(order) ? order : -1)) as Knotwork['evaluate'],
+        module().evaluate(String(object), parameter, Number.isInteger(order) ? order : -1)) as Knotwork['evaluate'],
       play: () => change((bridge) => bridge.play(true)),
       pause: () => change((bridge) => bridge.play(false)),
       seek: (seconds) => change((bridge) => bridge.seek(typeof seconds === 'number' ? seconds : Number.NaN)),
@@ -74,8 +74,17 @@ export class ScriptInterface {
       },
       stats: () => module().stats(),
       chapters: () => module().chapters(),
-      open: (id) => change((bridge) => bridge.open(id)),
+      open: (id) => change((bridge) => bridge.open(String(id))),
     };
+  }
+}
+
+/// A cycle or a big integer makes JSON.stringify throw an error that names no path.
+function jsonOf(document: unknown): string {
+  try {
+    return JSON.stringify(document) ?? 'null';
+  } catch {
+    throw new RefusedError('The document holds something that JSON cannot say.', '');
   }
 }
 

@@ -136,7 +136,7 @@ export class Bridge {
     return this.json('knotwork_parameters') as Parameter[];
   }
   set(id: string, value: number | string | boolean): void {
-    this.json('knotwork_set', id, JSON.stringify(value));
+    this.json('knotwork_set', id, JSON.stringify(value) ?? 'null');
   }
   handles(): Handle[] {
     return this.json('knotwork_handles') as Handle[];
@@ -145,7 +145,7 @@ export class Bridge {
     return this.json('knotwork_widgets') as Widget[];
   }
   evaluate(object: string, parameter: number | [number, number], order: number): SurfaceJet & Vector3[] {
-    return this.json('knotwork_evaluate', object, JSON.stringify(parameter), order) as SurfaceJet & Vector3[];
+    return this.json('knotwork_evaluate', object, JSON.stringify(parameter) ?? 'null', order) as SurfaceJet & Vector3[];
   }
   play(playing: boolean): void {
     this.json('knotwork_play', Number(playing));
