@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
-  call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, nextUndo, parameter, picture, plus,
-  sampleCells, settled, showMore, statsOf, surfaceOf, until, widget,
+  call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, nextUndo, parameter, picture,
+  plus, sampleCells, settled, showMore, statsOf, surfaceOf, until, widget,
 } from './stage.mjs';
 
 const functionOf = async (page) => (await surfaceOf(page)).blending.function;

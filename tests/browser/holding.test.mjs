@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
   assertMovedOnSupportOnly, call, clickWidget, cross, distance, documentOf, dot, drag, eyeOf, fingers, frameDrawn,
-  frontHandle, grid, handleAt, handlesOf, jet, length, minus, nextUndo, patchOf, plus, projection, sampleCells,
-  settled, stageRect, surfaceOf, times, unit, until,
+  freeHandles, frontHandle, grid, handleAt, handlesOf, jet, length, minus, nextUndo, patchOf, plus, projection,
+  sampleCells, settled, stageRect, surfaceOf, times, unit, until,
 } from './stage.mjs';
 
 const edits = async (page) => (await surfaceOf(page)).patches;
@@ -185,9 +185,16 @@ for (const [name, arms, changes] of [
 }
 
 pageTest('the gizmo\'s arrow moves a patch along its normal', { size: [1200, 760] }, async (page) => {
-  const handle = await frontHandle(page);
+  // An arrow towards the eye is all but a point: one that is seen from the side is taken.
+  const { project } = await projection(page);
+  const seen = [];
+  for (const handle of (await freeHandles(page)).slice(0, 6)) {
+    const normal = await normalAt(page, patchOf(handle));
+    const tip = project(plus(handle.position, times(0.1, normal)));
+    seen.push({ handle, normal, length: distance(tip, handle.screen) });
+  }
+  const { handle, normal } = seen.reduce((best, one) => (one.length > best.length ? one : best));
   const patch = patchOf(handle);
-  const normal = await normalAt(page, patch);
   await page.mouse.click(...handle.screen);
   await until(page, (id) => window.knotwork.handles().some((h) => h.id === id && h.selected), handle.id);
   const { at } = await gizmo(page, handle);

@@ -117,8 +117,8 @@ export async function handleAt(page, id) {
   return handle;
 }
 
-/// The handle nearest to the eye that lies free on the stage: away from the panel, the edge and other handles.
-export async function frontHandle(page) {
+/// The handles that lie free on the stage, away from the panel, the edge and other handles; nearest to the eye first.
+export async function freeHandles(page) {
   const [handles, camera, stage, widgets] = [
     await handlesOf(page), (await documentOf(page)).camera, await stageRect(page), await call(page, 'widgets'),
   ];
@@ -135,10 +135,10 @@ export async function frontHandle(page) {
     );
   const candidates = handles.filter((handle) => handle.screen && inside(handle.screen) && free(handle));
   assert.ok(candidates.length > 0, 'no handle lies free on the stage');
-  return candidates.reduce((best, handle) =>
-    distance(handle.position, eye) < distance(best.position, eye) ? handle : best,
-  );
+  return candidates.sort((a, b) => distance(a.position, eye) - distance(b.position, eye));
 }
+
+export const frontHandle = async (page) => (await freeHandles(page))[0];
 
 /// "patch-2-1" -> [2, 1].
 export function patchOf(handle) {
