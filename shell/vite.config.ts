@@ -1,4 +1,3 @@
-import { readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -7,7 +6,6 @@ import { policy } from './scripts/policy.mjs';
 
 const root = dirname(fileURLToPath(import.meta.url));
 const moduleDirectory = resolve(process.env['KNOTWORK_MODULE_DIR'] ?? resolve(root, '../build/web/module'));
-const version = (JSON.parse(readFileSync(resolve(root, 'package.json'), 'utf8')) as { version: string }).version;
 
 /// The page links to its source where the build knows an address: given by hand, or by GitHub's workflow runner.
 function sourceUrl(): string {
@@ -22,7 +20,6 @@ export default defineConfig({
   base: './',  // the built folder works under any path
   publicDir: resolve(root, '../public'),
   plugins: [page(options), head(options)],
-  define: { __VERSION__: JSON.stringify(version) },
   resolve: { alias: { '@module': moduleDirectory } },
   server: { fs: { allow: [root, moduleDirectory] } },
   build: {

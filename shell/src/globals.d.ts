@@ -1,6 +1,5 @@
 /// Set by the build.
 declare const __WASM_BYTES__: number;
-declare const __VERSION__: string;
 
 declare module '@module/knotwork.js' {
   const createKnotwork: import('./bridge').ModuleFactory;
