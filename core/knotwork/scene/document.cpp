@@ -1,8 +1,8 @@
 #include "knotwork/scene/document.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstdlib>
 
 #include "knotwork/scene/document_members.h"
 
@@ -59,11 +59,12 @@ bool closes_v(const ModelSurface& model) {
 }
 
 const BlendingSurfaceObject& blending_surface(const Document& document) {
-  for (const Object& object : document.objects) {
-    if (const auto* surface = std::get_if<BlendingSurfaceObject>(&object.shape)) return *surface;
-  }
-  assert(false && "a checked document holds a blending surface");
-  std::abort();
+  const auto holds_one = [](const Object& object) {
+    return std::holds_alternative<BlendingSurfaceObject>(object.shape);
+  };
+  const auto found = std::find_if(document.objects.begin(), document.objects.end(), holds_one);
+  assert(found != document.objects.end() && "a checked document holds a blending surface");
+  return *std::get_if<BlendingSurfaceObject>(&found->shape);
 }
 
 BlendingSurfaceObject& blending_surface(Document& document) {
