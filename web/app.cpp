@@ -598,16 +598,20 @@ bool App::pointer(const PointerEvent& event) {
   if (event.type == PointerType::down && over && nothing_held) {
     interface_pointers_.insert(event.id);
     interface_has_it = true;
+    if (!interface_leader_) interface_leader_ = event.id;
   }
-  // ImGui has one mouse: it follows the pointer it holds, else the hovering one, never a second finger.
-  const bool mouse_is_free = interface_has_it || interface_pointers_.empty();
+  // ImGui has one mouse: it follows the first pointer that took hold of a panel, else the hovering one, never a second
+  // finger.
+  const bool leads = interface_leader_ == event.id;
+  const bool mouse_is_free = leads || !interface_leader_;
   const bool mouse_for_interface =
-      interface_has_it || (mouse_is_free && nothing_held && (!touch || event.type == PointerType::down));
+      leads || (mouse_is_free && nothing_held && (!touch || event.type == PointerType::down));
   if (mouse_for_interface && event.type != PointerType::leave)
     io.AddMousePosEvent(static_cast<float>(event.position.x), static_cast<float>(event.position.y));
   if (event.type == PointerType::leave && !interface_has_it) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
   if (event.type == PointerType::down && event.button <= 0 && mouse_for_interface) io.AddMouseButtonEvent(0, true);
   if (mouse_is_free && (event.type == PointerType::up || event.type == PointerType::cancel)) {
+    if (event.type == PointerType::cancel) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);  // let go, but not a click
     io.AddMouseButtonEvent(0, false);
     if (touch) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
   }
@@ -620,7 +624,10 @@ bool App::pointer(const PointerEvent& event) {
     apply_outcome(outcome);
     used = outcome.used;
   }
-  if (event.type == PointerType::up || event.type == PointerType::cancel) interface_pointers_.erase(event.id);
+  if (event.type == PointerType::up || event.type == PointerType::cancel) {
+    interface_pointers_.erase(event.id);
+    if (leads) interface_leader_.reset();
+  }
 
   const bool interface_cares = over || over_before_ || interface_has_it || event.type != PointerType::move;
   over_before_ = over;

@@ -150,11 +150,12 @@ class App {
   Floor floor_;
   double floor_target_ = -1;
 
-  View stage_view_;                   ///< what the last event was measured in
-  std::set<int> interface_pointers_;  ///< pointers that went down on a panel
-  bool over_before_ = false;          ///< the hovering pointer was over a panel
-  std::string notice_;                ///< shown on the stage for a moment
-  std::string spoken_;                ///< for the page's live region only
+  View stage_view_;                      ///< what the last event was measured in
+  std::set<int> interface_pointers_;     ///< pointers that went down on a panel
+  std::optional<int> interface_leader_;  ///< the first of them: ImGui's mouse
+  bool over_before_ = false;             ///< the hovering pointer was over a panel
+  std::string notice_;                   ///< shown on the stage for a moment
+  std::string spoken_;                   ///< for the page's live region only
   double notice_until_ = 0;
   int pending_frames_ = 3;
   bool running_ = false;  ///< the last frame asked for this one

@@ -62,7 +62,7 @@ EMSCRIPTEN_KEEPALIVE void knotwork_reduced_motion(bool reduced) {
   ask_for_frame();
 }
 
-EMSCRIPTEN_KEEPALIVE void knotwork_context(bool present) { context_changed(present); }
+EMSCRIPTEN_KEEPALIVE bool knotwork_context(bool present) { return context_changed(present); }
 
 EMSCRIPTEN_KEEPALIVE bool knotwork_frame(double now) { return app() != nullptr && app()->frame(now); }
 

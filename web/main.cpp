@@ -57,14 +57,15 @@ std::string start(const char* canvas_selector) {
   return attach();
 }
 
-void context_changed(bool present) {
-  if (!platform.app) return;
+bool context_changed(bool present) {
+  if (!platform.app) return false;
   if (!present) {
     platform.app->lose_context();
-    return;
+    return false;
   }
-  (void)attach();
+  if (!attach().empty()) return false;
   ask_for_frame();
+  return true;
 }
 
 void resize(double css_width, double css_height, double pixel_ratio) {

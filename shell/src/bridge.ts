@@ -96,8 +96,9 @@ export class Bridge {
   reducedMotion(reduced: boolean): void {
     this.number('knotwork_reduced_motion', Number(reduced));
   }
-  context(present: boolean): void {
-    this.number('knotwork_context', Number(present));
+  /// Whether the stage can draw now.
+  context(present: boolean): boolean {
+    return this.number('knotwork_context', Number(present)) !== 0;
   }
   /// True: another frame is wanted.
   frame(now: number): boolean {

@@ -39,8 +39,8 @@ export class Stage {
       onContext(false);
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
-      this.present = true;
-      this.bridge.context(true);
+      this.present = this.bridge.context(true);
+      if (!this.present) return;  // the message stays
       onContext(true);
       this.request();
     });
