@@ -149,6 +149,7 @@ Status App::perform(const scene::Command& command) {
     say(status.error().message);
     return status;
   }
+  if (scene::in_history(command)) spoken_ = scene::describe(command);
   if (!also.empty()) say(std::move(also));
   changed();
   return status;
@@ -188,7 +189,9 @@ void App::gesture(bool open) {
 bool App::undo() {
   const scene::Camera camera = document_.camera;
   forget_gesture();
+  std::string spoken = "Undone: " + history_.undo_label();
   if (!history_.undo(document_)) return false;
+  spoken_ = std::move(spoken);
   after_travel(camera);
   return true;
 }
@@ -206,7 +209,9 @@ void App::after_travel(const scene::Camera& camera_before) {
 bool App::redo() {
   const scene::Camera camera = document_.camera;
   forget_gesture();
+  std::string spoken = "Redone: " + history_.redo_label();
   if (!history_.redo(document_)) return false;
+  spoken_ = std::move(spoken);
   after_travel(camera);
   return true;
 }

@@ -11,7 +11,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr int most_hairs = 20000;
+constexpr int most_hairs = 2400;  // more are a fur that hides the surface
 
 glm::dvec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 glm::vec4 with_alpha(const Colour& c, float alpha) { return {c[0], c[1], c[2], alpha}; }
@@ -118,7 +118,7 @@ void add_patch_frames(Picture& picture, const BlendingSurface& surface, const sc
 
 void add_normals(Picture& picture, const BlendingSurface& surface) {
   const int cells = surface.knots_u().interval_count() * surface.knots_v().interval_count();
-  const int steps = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most_hairs) / cells)), 1, 6);
+  const int steps = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most_hairs) / cells)), 1, 5);
   const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), steps * surface.knots_u().interval_count(),
                                       steps * surface.knots_v().interval_count(), Seam::joined);
   std::vector<SurfaceJet> jets(grid.u.size() * grid.v.size());
