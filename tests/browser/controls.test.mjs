@@ -142,6 +142,7 @@ pageTest('the buttons for undo and redo do it, on the page and in the panel', { 
   await clickWidget(page, 'redo');
   await topologyIs('open');
   await clickWidget(page, 'undo');
+  await topologyIs('closed');  // the click has been taken before something else is done
   await call(page, 'set', 'locals.u', 5);
   // The page takes up what has changed after the stage has: what was undone cannot be redone any more.
   await page.getByRole('button', { name: /^Redo/, disabled: true }).waitFor();
