@@ -146,7 +146,7 @@ TEST_CASE("the surface and its partials up to the order are continuous across kn
     for (const bool in_u : {true, false}) {
       const KnotVector& knots = in_u ? surface.knots_u() : surface.knots_v();
       const KnotVector& other = in_u ? surface.knots_v() : surface.knots_u();
-      const int first = knots.closed() ? 2 : 2, last = knots.closed() ? knots.count() + 1 : knots.count() - 1;
+      const int first = 2, last = knots.closed() ? knots.count() + 1 : knots.count() - 1;
       for (int k = first; k <= last; ++k) {
         // A parameter one rounding before the knot lies in the interval before; a closed end wraps to the start.
         const double at = knots[k], before = std::nextafter(at, -1e9);

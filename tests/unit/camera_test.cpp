@@ -21,7 +21,7 @@ const std::array viewports{
     Viewport{1920, 400, 1.5, 700, 0, 0, 0},
 };
 
-scene::Camera camera_at(double distance, double azimuth, double elevation, Eigen::Vector3d target = {0, 0, 0}) {
+scene::Camera camera_at(double distance, double azimuth, double elevation, const Eigen::Vector3d& target = {0, 0, 0}) {
   return {target, distance, azimuth, elevation};
 }
 

@@ -164,7 +164,7 @@ TEST_CASE("document JSON: missing and unknown members are errors at their place"
 }
 
 TEST_CASE("document JSON: numbers out of range are errors at their place") {
-  for (Json count :
+  for (const Json& count :
        {Json(0), Json(1), Json(-3), Json(129), Json(1000000000), Json(1e300), Json(18446744073709551615u)}) {
     CHECK(path_with("/objects/0/locals/u", count) == "objects[0].locals.u");
   }

@@ -21,7 +21,7 @@ struct Setting {
   BlendingSurface surface;
   View view;
 
-  explicit Setting(scene::Camera camera = {}, scene::BlendingSurfaceObject shape = {})
+  explicit Setting(const scene::Camera& camera = {}, scene::BlendingSurfaceObject shape = {})
       : object(std::move(shape)), surface(scene::build_surface(object, {})), view(make_view(camera, viewport)) {}
   Gizmo gizmo(scene::PatchIndex patch) const { return make_gizmo(surface, object, patch, view); }
 };
@@ -33,7 +33,8 @@ glm::dvec2 screen_of(const View& view, glm::dvec3 point) {
 }
 
 /// A camera that looks at a patch along a direction of its frame.
-scene::Camera facing(const Setting& setting, scene::PatchIndex patch, Eigen::Vector3d own_direction, double distance) {
+scene::Camera facing(const Setting& setting, scene::PatchIndex patch, const Eigen::Vector3d& own_direction,
+                     double distance) {
   const Eigen::Vector3d d = (scene::patch_frame(setting.surface, patch) * own_direction).normalized();
   return {scene::patch_origin(setting.surface, patch), distance, std::atan2(d.y(), d.x()), std::asin(d.z())};
 }

@@ -162,6 +162,7 @@ TEST_CASE("the span is the half-open interval that holds the parameter") {
 TEST_CASE("the closed span reaches every interval, first to last") {
   const KnotVector knots = uniform(1, 3, Topology::closed, 0, 3);
   std::vector<int> found;
+  found.reserve(3);
   for (int k = 0; k < knots.interval_count(); ++k) found.push_back(knots.span(k + 0.5));
   CHECK(found == std::vector<int>{1, 2, 3});
 }

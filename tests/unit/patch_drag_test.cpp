@@ -40,7 +40,7 @@ scene::Document edited_document() {
 }
 
 /// The document seen along a direction of the patch's own frame.
-scene::Document seen_along(scene::Document document, scene::PatchIndex patch, Eigen::Vector3d own) {
+scene::Document seen_along(scene::Document document, scene::PatchIndex patch, const Eigen::Vector3d& own) {
   const BlendingSurface surface = scene::build_surface(scene::blending_surface(document), document.animation);
   const glm::dmat3 axes = gizmo_axes(surface, scene::blending_surface(document), patch);
   const Eigen::Vector3d d = to_eigen(glm::normalize(axes * to_glm(own)));

@@ -49,7 +49,7 @@ Parameter row(std::string_view id, std::string_view label, std::string_view grou
 
 struct Scale {
   double step, soft_max;
-  std::string_view unit = "";
+  std::string_view unit{};
 };
 
 template <auto Member, const Limits& Range>
