@@ -88,7 +88,7 @@ std::string value_text(const Parameter& parameter, double value) {
 }
 
 void set(Frame& frame, const Parameter& parameter, scene::ParameterValue value) {
-  frame.output.commands.push_back(scene::SetParameter{std::string(parameter.id), std::move(value)});
+  frame.output.commands.emplace_back(scene::SetParameter{std::string(parameter.id), std::move(value)});
 }
 
 double number(const Frame& frame, const Parameter& parameter) {
