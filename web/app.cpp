@@ -15,15 +15,17 @@
 #include "knotwork/scene/picking.h"
 #include "web/composition.h"
 #include "web/stage_ornaments.h"
+#include "web/vectors.h"
 
 namespace knotwork::web {
 namespace {
 
 constexpr double roll_ms = 600, camera_ms = 350, notice_ms = 4200;
 constexpr double usual_frame_ms = 1000.0 / 60;
-constexpr double longest_step = 0.1;   // seconds of clock after a pause in drawing
-constexpr int frames_after_event = 3;  // ImGui spreads a quick tap over this many frames
-constexpr int rolling_samples = 192;   // while the static part changes in every frame
+constexpr double longest_step = 0.1;    // seconds of clock after a pause in drawing
+constexpr double floor_seconds = 0.06;  // in which the floor covers 1 - 1/e of its way
+constexpr int frames_after_event = 3;   // ImGui spreads a quick tap over this many frames
+constexpr int rolling_samples = 192;    // while the static part changes in every frame
 constexpr glm::dvec2 nowhere{-1e9, -1e9};
 constexpr double handle_neighbourhood = 60;  // CSS pixels; farther handles cannot be meant
 constexpr double phone_width = 520;          // CSS pixels; a narrower stage has a drawer
@@ -32,8 +34,6 @@ double ease(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * t * (t * (6 * t - 15) + 10);
 }
-
-glm::dvec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 double milliseconds() {
   using namespace std::chrono;
@@ -53,7 +53,7 @@ std::vector<glm::dvec3> outline(const BlendingSurface& surface) {
   surface.evaluate_grid(u, v, jets);
   std::vector<glm::dvec3> points;
   points.reserve(jets.size());
-  for (const SurfaceJet& jet : jets) points.push_back(vec(jet.s));
+  for (const SurfaceJet& jet : jets) points.push_back(to_glm(jet.s));
   return points;
 }
 
@@ -296,7 +296,7 @@ void App::upload() {
 }
 
 /// The floor lies a little under the lowest point; it does not bob with a playing animation or a held patch.
-void App::update_floor() {
+void App::update_floor(double seconds) {
   const bool steady = !document_.animation.playing && interaction_.drag == InteractionState::Drag::none;
   if (steady || floor_.half_size <= 0) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
@@ -311,10 +311,10 @@ void App::update_floor() {
     floor_target_ = low.z - 0.12 * size;
   }
   const double gap = floor_target_ - floor_.height;
-  if (std::abs(gap) < 1e-3 || reduced_motion_ || !framed_once_) {
+  if (std::abs(gap) < 1e-3 * floor_.half_size || reduced_motion_ || !framed_once_) {
     floor_.height = floor_target_;
   } else {
-    floor_.height += 0.22 * gap;
+    floor_.height += gap * -std::expm1(-seconds / floor_seconds);
     request_frames(1);
   }
 }
@@ -327,7 +327,7 @@ const std::vector<Handle>& App::handles() {
     handles_.reserve(static_cast<std::size_t>(object.locals_u) * static_cast<std::size_t>(object.locals_v));
     for (int i = 0; i < object.locals_u; ++i)
       for (int j = 0; j < object.locals_v; ++j)
-        handles_.push_back({{i, j}, vec(scene::patch_origin(*geometry_.surface, {i, j})), {}, false});
+        handles_.push_back({{i, j}, to_glm(scene::patch_origin(*geometry_.surface, {i, j})), {}, false});
   }
   for (Handle& handle : handles_) handle.screen = now.project(handle.position);
   return handles_;
@@ -426,7 +426,7 @@ bool App::frame(double now) {
   advance_roll(now);  // what the interface has just changed is in this very picture
   const double evaluate_start = milliseconds();
   update_geometry();
-  update_floor();
+  update_floor(seconds);
   upload();
   stats_.evaluate_ms = milliseconds() - evaluate_start;
   draw();
@@ -517,7 +517,7 @@ Picture App::picture() {
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   Picture picture;
   picture.view = view();
-  picture.target = vec(document_.camera.target);
+  picture.target = to_glm(document_.camera.target);
   picture.theme = theme_;
   picture.display = document_.display;
   picture.floor = floor_;

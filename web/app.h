@@ -103,7 +103,7 @@ class App {
   bool same_static_part(const scene::BlendingSurfaceObject& object) const;
   void forget_gesture();
   void after_travel(const scene::Camera& camera_before);
-  void update_floor();
+  void update_floor(double seconds);
   void upload();
   void run_interface(double seconds);
   void draw();

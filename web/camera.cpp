@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -13,7 +14,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double least_free_share = 0.25;
 constexpr double near_share = 0.02;  // of the distance
 // The ground and patches dragged far out must not be cut off when the reader comes close to one spot.

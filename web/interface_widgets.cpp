@@ -10,7 +10,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float half_turn = std::numbers::pi_v<float>;
 constexpr float segment_padding = 9;  ///< CSS pixels at either side of a segment's word
 constexpr float inset = 2;            ///< of the chosen segment in its track
 
@@ -82,8 +82,8 @@ void outline(ImDrawList& list, const Rect& rect, ImU32 ink, float rounding, floa
 /// A field whose short sides are half circles; ImGui's own rounding stops short of that.
 void capsule_path(ImDrawList& list, const Rect& rect) {
   const float radius = rect.height / 2, y = rect.y + radius;
-  list.PathArcTo({rect.x + radius, y}, radius, pi / 2, 3 * pi / 2);
-  list.PathArcTo({rect.x + rect.width - radius, y}, radius, -pi / 2, pi / 2);
+  list.PathArcTo({rect.x + radius, y}, radius, half_turn / 2, 3 * half_turn / 2);
+  list.PathArcTo({rect.x + rect.width - radius, y}, radius, -half_turn / 2, half_turn / 2);
 }
 
 void fill_capsule(ImDrawList& list, const Rect& rect, ImU32 ink) {
@@ -120,20 +120,20 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink
   switch (icon) {
     case Icon::undo:
       list.PathLineTo(at(3, 6));
-      list.PathArcTo(at(9.5F, 9.5F), 3.5F * unit, -pi / 2, pi / 2, 16);
+      list.PathArcTo(at(9.5F, 9.5F), 3.5F * unit, -half_turn / 2, half_turn / 2, 16);
       list.PathLineTo(at(6, 13));
       list.PathStroke(ink, 0, thickness);
       strokes<3>(list, centre, unit, {{{6, 3}, {3, 6}, {6, 9}}}, ink, thickness);
       break;
     case Icon::redo:
       list.PathLineTo(at(13, 6));
-      list.PathArcTo(at(6.5F, 9.5F), 3.5F * unit, -pi / 2, -3 * pi / 2, 16);
+      list.PathArcTo(at(6.5F, 9.5F), 3.5F * unit, -half_turn / 2, -3 * half_turn / 2, 16);
       list.PathLineTo(at(10, 13));
       list.PathStroke(ink, 0, thickness);
       strokes<3>(list, centre, unit, {{{10, 3}, {13, 6}, {10, 9}}}, ink, thickness);
       break;
     case Icon::reset:
-      list.PathArcTo(at(8, 8), 5 * unit, -pi * 0.75F, pi * 0.92F, 28);
+      list.PathArcTo(at(8, 8), 5 * unit, -half_turn * 0.75F, half_turn * 0.92F, 28);
       list.PathStroke(ink, 0, thickness);
       strokes<3>(list, centre, unit, {{{3.4F, 1.6F}, {4.2F, 5.0F}, {7.7F, 4.6F}}}, ink, thickness);
       break;
@@ -166,12 +166,6 @@ float warmth(Interface& ui, std::string_view id, const Press& press) {
 
 ImU32 colour(const Colour& srgb, float opacity) {
   return ImGui::ColorConvertFloat4ToU32({srgb[0], srgb[1], srgb[2], opacity});
-}
-
-Colour mixed(const Colour& from, const Colour& to, float share) {
-  Colour out{};
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = from[i] + (to[i] - from[i]) * share;
-  return out;
 }
 
 Colour as_text(const Theme& theme, const Colour& hue) { return mixed(hue, theme.ink, theme.dark ? 0.08F : 0.32F); }

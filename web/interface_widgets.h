@@ -42,7 +42,6 @@ struct Interface {
 
 // Colours for ImGui's draw lists.
 ImU32 colour(const Colour& srgb, float opacity = 1);
-Colour mixed(const Colour& from, const Colour& to, float share);
 /// A hue as text: a tint nearer to the ink, which keeps its contrast on stage and card.
 Colour as_text(const Theme& theme, const Colour& hue);
 

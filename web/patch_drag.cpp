@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -10,7 +11,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double turn_step = pi / 12, scale_step = 0.25;
 // Below this |cos| between a ring's axis and the line of sight, angles in the ring's plane are too foreshortened to
 // follow a hand.

@@ -11,6 +11,7 @@
 
 #include "knotwork/mesh/surface_sampling.h"
 #include "web/gl_objects.h"
+#include "web/vectors.h"
 
 namespace knotwork::web {
 namespace {
@@ -40,8 +41,6 @@ class DrawProgram {
  private:
   Program program_;
 };
-
-glm::vec3 vec(const Colour& c) { return {c[0], c[1], c[2]}; }
 
 float linear_from_srgb(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
 
@@ -246,8 +245,8 @@ void Renderer::draw(const Picture& picture) {
   glClear(GL_DEPTH_BUFFER_BIT);
 
   gl_->background.use();
-  gl_->background.set("u_stage", vec(picture.theme.stage));
-  gl_->background.set("u_stage_edge", vec(picture.theme.stage_edge));
+  gl_->background.set("u_stage", to_glm(picture.theme.stage));
+  gl_->background.set("u_stage_edge", to_glm(picture.theme.stage_edge));
   gl_->background.set("u_aspect", static_cast<float>(view.viewport.width / view.viewport.height));
   const double centre_x =
       0.5 * (view.viewport.width + view.viewport.inset_left - view.viewport.inset_right) / view.viewport.width;

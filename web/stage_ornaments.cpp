@@ -7,19 +7,14 @@
 
 #include "knotwork/scene/palette.h"
 #include "knotwork/surface/surface_measures.h"
+#include "web/vectors.h"
 
 namespace knotwork::web {
 namespace {
 
 constexpr int most_hairs = 2400;  // more are a fur that hides the surface
 
-glm::dvec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 glm::vec4 with_alpha(const Colour& c, float alpha) { return {c[0], c[1], c[2], alpha}; }
-glm::vec3 rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
-
-Colour mixed(const Colour& a, const Colour& b, float share) {
-  return {std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share), std::lerp(a[2], b[2], share)};
-}
 
 Colour part_colour(GizmoPart part, const Theme& theme) {
   switch (part) {
@@ -55,13 +50,13 @@ void add_handles(Picture& picture, const std::vector<Handle>& handles, const sce
     Disc disc{.centre = glm::vec3(handle.position),
               .radius = base,
               .fill = with_alpha(white, 1),
-              .rim = rgb(rim),
+              .rim = to_glm(rim),
               .rim_width = std::min(2.4F, 0.4F * base)};
     if (hovered) disc.radius = std::max(base * 1.35F, 6.0F);
     if (selected) {
       disc.radius = std::max(base * 1.3F, 7.5F);
       disc.fill = with_alpha(theme.accent, 1);
-      disc.rim = rgb(white);
+      disc.rim = to_glm(white);
       disc.rim_width = 2.4F;
     }
     picture.discs.push_back(disc);
@@ -79,8 +74,8 @@ void add_gizmo(Picture& picture, const BlendingSurface& surface, const scene::Bl
     if (stroke.points.size() == 1) {
       const auto radius = static_cast<float>(stroke.radius) * (strong ? 1.3F : 1.0F);
       const Colour face = strong ? colour : picture.theme.paper;
-      picture.overlay_discs.push_back(
-          {glm::vec3(stroke.points.front()), radius, with_alpha(face, 1), rgb(colour), std::max(1.6F, 0.32F * radius)});
+      picture.overlay_discs.push_back({glm::vec3(stroke.points.front()), radius, with_alpha(face, 1), to_glm(colour),
+                                       std::max(1.6F, 0.32F * radius)});
       continue;
     }
     const bool is_arrow = stroke.part == GizmoPart::move_normal;
@@ -106,10 +101,10 @@ void add_patch_frames(Picture& picture, const BlendingSurface& surface, const sc
       const Eigen::Vector3d origin = scene::patch_origin(surface, {i, j});
       // What M_ij does to the patch's own axes is the frame that carries it, scale and turn included.
       const Eigen::Matrix3d axes = surface.local(i, j).linear() * scene::patch_frame(surface, {i, j});
-      const double length = 34 * picture.view.pixel_size(vec(origin));
+      const double length = 34 * picture.view.pixel_size(to_glm(origin));
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d tip = origin + length * axes.col(axis);
-        picture.ribbons.push_back({glm::vec3(vec(origin)), glm::vec3(vec(tip)),
+        picture.ribbons.push_back({glm::vec3(to_glm(origin)), glm::vec3(to_glm(tip)),
                                    with_alpha(colours[static_cast<std::size_t>(axis)], 0.95F), 2.2F});
       }
     }
@@ -125,9 +120,9 @@ void add_normals(Picture& picture, const BlendingSurface& surface) {
   surface.evaluate_grid(grid.u, grid.v, jets);
   const Colour colour = picture.theme.ink;
   for (const SurfaceJet& jet : jets) {
-    const glm::dvec3 foot = vec(jet.s);
+    const glm::dvec3 foot = to_glm(jet.s);
     const double length = 20 * picture.view.pixel_size(foot);
-    const glm::dvec3 tip = foot + length * vec(unit_normal(jet));
+    const glm::dvec3 tip = foot + length * to_glm(unit_normal(jet));
     picture.ribbons.push_back({glm::vec3(foot), glm::vec3(tip), with_alpha(colour, 0.6F), 1.1F});
   }
 }

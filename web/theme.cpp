@@ -1,5 +1,7 @@
 #include "web/theme.h"
 
+#include <cmath>
+
 namespace knotwork::web {
 namespace {
 
@@ -39,6 +41,10 @@ Theme make_theme(bool dark) {
     theme.local = {rgb(0x2f7fb8), rgb(0xe08a1e), rgb(0x3f9a6b), rgb(0xb65a9c)};
   }
   return theme;
+}
+
+Colour mixed(const Colour& from, const Colour& to, float share) {
+  return {std::lerp(from[0], to[0], share), std::lerp(from[1], to[1], share), std::lerp(from[2], to[2], share)};
 }
 
 }  // namespace knotwork::web

@@ -16,4 +16,7 @@ struct Theme {
 
 Theme make_theme(bool dark);
 
+/// From one colour to another, share 0 to 1, each component for itself.
+Colour mixed(const Colour& from, const Colour& to, float share);
+
 }  // namespace knotwork::web

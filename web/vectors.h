@@ -4,11 +4,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "knotwork/scene/palette.h"
+
 namespace knotwork::web {
 
-// The core speaks Eigen, the front end GLM; this is where they meet.
+// The core speaks Eigen and arrays, the front end GLM; this is where they meet.
 
 inline glm::dvec3 to_glm(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+inline glm::vec3 to_glm(const scene::Colour& c) { return {c[0], c[1], c[2]}; }
 inline Eigen::Vector3d to_eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 inline glm::dmat3 to_glm_matrix(const Eigen::Matrix3d& m) {

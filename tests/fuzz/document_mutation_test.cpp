@@ -7,9 +7,7 @@
 #include "knotwork/scene/chapters.h"
 #include "unit/float_traps.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::document_mutation_test {
 namespace {
 
 /// Marsaglia's xorshift: the same texts on every machine and in every build.
@@ -83,3 +81,5 @@ TEST_CASE("document mutations: damaged documents are refused in words or are doc
   CHECK(accepted_count > 50);
   CHECK(refused_count > 1000);
 }
+
+}  // namespace knotwork::scene::document_mutation_test

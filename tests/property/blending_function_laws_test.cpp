@@ -5,8 +5,8 @@
 #include "knotwork/basis/blending_function.h"
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::blending_function_laws_test {
+using namespace test;
 
 namespace {
 
@@ -161,3 +161,5 @@ TEST_CASE("tiny values next to 0 keep relative accuracy: B is the integral of B'
     }
   }
 }
+
+}  // namespace knotwork::blending_function_laws_test

@@ -5,8 +5,8 @@
 #include "property/difference_check.h"
 #include "property/surface_cases.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::blending_surface_laws_test {
+using namespace test;
 
 namespace {
 
@@ -257,3 +257,5 @@ TEST_CASE("a closed direction repeats with its period, an open one stops at its 
     }
   }
 }
+
+}  // namespace knotwork::blending_surface_laws_test

@@ -7,8 +7,8 @@
 #include "knotwork/surface/surface_measures.h"
 #include "property/difference_check.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::model_surface_laws_test {
+using namespace test;
 
 namespace {
 
@@ -102,3 +102,5 @@ TEST_CASE("an arc keeps its length: a sheet of constant radii bends without stre
     }
   }
 }
+
+}  // namespace knotwork::model_surface_laws_test

@@ -8,8 +8,8 @@
 #include "knotwork/mesh/surface_sampling.h"
 #include "property/surface_cases.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::surface_sampling_laws_test {
+using namespace test;
 
 namespace {
 
@@ -128,3 +128,5 @@ TEST_CASE("every knot is a sample") {
     CHECK(std::is_sorted(grid.v.begin(), grid.v.end()));
   }
 }
+
+}  // namespace knotwork::surface_sampling_laws_test

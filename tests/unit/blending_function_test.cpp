@@ -8,8 +8,8 @@
 
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::blending_function_test {
+using namespace test;
 
 namespace {
 
@@ -198,3 +198,5 @@ TEST_CASE("only expo-rational functions have a scale") {
   CHECK(make(BlendingKind::linear).expo_rational_scale() == 1);
   CHECK(make(BlendingKind::logistic_expo_rational).expo_rational_scale() == 1);
 }
+
+}  // namespace knotwork::blending_function_test

@@ -9,12 +9,12 @@
 #include "unit/curvature_bounds.h"
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::blending_surface_test {
+using namespace test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 ModelSurface oracle_model(const std::string& description) {
   if (description.starts_with("PTorus")) return Torus{1, 0.4, 0.6};
@@ -259,3 +259,5 @@ TEST_CASE("make refuses what cannot be a blending surface, in words") {
     CHECK(error_path(BlendingSurface::make(Plane{}, unit, unit, polynomial2(), locals)) == "locals[7]");
   }
 }
+
+}  // namespace knotwork::blending_surface_test

@@ -4,12 +4,12 @@
 
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::blending_tables_test {
+using namespace test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
   const ModelSurface model = Torus{1, 0.4, 0.6};
@@ -99,3 +99,5 @@ TEST_CASE("only the map table follows a moved local") {
     CHECK((maps_after[k] != maps_before[k]) == moved_entry);
   }
 }
+
+}  // namespace knotwork::blending_tables_test

@@ -4,16 +4,17 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <glm/geometric.hpp>
 
 #include "web/vectors.h"
 
-namespace knotwork::web {
+namespace knotwork::web::camera_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 const std::array viewports{
     Viewport{805, 900, 2, 0, 0, 0, 0},      Viewport{805, 900, 1, 0, 0, 300, 64},
@@ -240,4 +241,4 @@ TEST_CASE("between goes smoothly, the shorter way round") {
   CHECK((between(from, to, 0.02).target - from.target).norm() < 0.2 * 0.02 * std::sqrt(5.0));
 }
 
-}  // namespace knotwork::web
+}  // namespace knotwork::web::camera_test

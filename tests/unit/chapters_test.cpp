@@ -9,9 +9,7 @@
 #include "knotwork/scene/parameters.h"
 #include "knotwork/scene/surface_builder.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::chapters_test {
 TEST_CASE("chapters: every row opens a document that is valid, can be saved and built") {
   std::set<std::string_view> ids;
   REQUIRE_FALSE(chapters().empty());
@@ -55,3 +53,5 @@ TEST_CASE("chapters: the blending surface opens as a torus with a patch pulled o
     }
   }
 }
+
+}  // namespace knotwork::scene::chapters_test

@@ -6,9 +6,7 @@
 
 #include "knotwork/scene/chapters.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::commands_test {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
@@ -167,3 +165,5 @@ TEST_CASE("commands: a model that cannot stay closed says what it opens") {
   CHECK(notice(document, SetParameter{"locals.u", 3.0}).empty());
   CHECK(notice(document, ResetPatches{}).empty());
 }
+
+}  // namespace knotwork::scene::commands_test

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-namespace knotwork::web {
+namespace knotwork::web::composition_test {
 namespace {
 
 using Rect = std::array<double, 4>;
@@ -103,4 +103,4 @@ TEST_CASE("without room, or without points, there still is a picture") {
   CHECK(compose(camera, one, stage, {}).camera.distance == camera.distance);
 }
 
-}  // namespace knotwork::web
+}  // namespace knotwork::web::composition_test

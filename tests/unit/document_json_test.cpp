@@ -13,8 +13,7 @@
 #include "knotwork/scene/history.h"
 #include "unit/float_traps.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
+namespace knotwork::scene::document_json_test {
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -337,3 +336,5 @@ TEST_CASE("document JSON: the files of tests/data/documents are read or refused 
   CHECK(good >= 4);
   CHECK(bad >= 12);
 }
+
+}  // namespace knotwork::scene::document_json_test

@@ -9,8 +9,7 @@
 
 #include "knotwork/scene/document_members.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
+namespace knotwork::scene::document_schema_test {
 using Json = nlohmann::json;
 
 namespace {
@@ -190,3 +189,5 @@ TEST_CASE("document schema: the comparison sees a wrong limit, a wrong choice an
   wrong["$defs"]["patch"]["properties"]["shear"] = {{"type", "number"}};
   CHECK_FALSE(differences(wrong).empty());
 }
+
+}  // namespace knotwork::scene::document_schema_test

@@ -9,7 +9,7 @@
 
 #include "web/vectors.h"
 
-namespace knotwork::web {
+namespace knotwork::web::gizmo_test {
 namespace {
 
 constexpr std::array all_parts{GizmoPart::turn_u,  GizmoPart::turn_v,    GizmoPart::turn_normal, GizmoPart::scale_u,
@@ -186,4 +186,4 @@ TEST_CASE("a patch behind the camera has no gizmo to hold") {
   CHECK_FALSE(pick_gizmo(gizmo, setting.view, {300, 300}, 1e9).has_value());
 }
 
-}  // namespace knotwork::web
+}  // namespace knotwork::web::gizmo_test

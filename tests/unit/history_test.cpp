@@ -4,9 +4,7 @@
 
 #include "knotwork/scene/chapters.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::history_test {
 namespace {
 
 Document start() { return find_chapter("blending-surface")->start_document(); }
@@ -190,3 +188,5 @@ TEST_CASE("history: holds at most its number of entries and of bytes, dropping t
   CHECK(undone >= 2);
   CHECK(undone < 40);
 }
+
+}  // namespace knotwork::scene::history_test

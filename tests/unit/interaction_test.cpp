@@ -11,7 +11,7 @@
 
 #include "stage_reader.h"
 
-namespace knotwork::web {
+namespace knotwork::web::interaction_test {
 namespace {
 
 using Drag = InteractionState::Drag;
@@ -908,4 +908,4 @@ TEST_CASE("any stream of events leaves a valid document and lets go in the end")
   }
 }
 
-}  // namespace knotwork::web
+}  // namespace knotwork::web::interaction_test

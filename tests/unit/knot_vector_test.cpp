@@ -6,8 +6,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace knotwork;
-
+namespace knotwork::knot_vector_test {
 namespace {
 
 std::vector<double> list(const KnotVector& knots) { return {knots.knots().begin(), knots.knots().end()}; }
@@ -182,3 +181,5 @@ TEST_CASE("w is the translation and scaling of an interval, 0 on an empty one (T
   CHECK(translation_and_scaling(knots, 1, 0, 0.0) == 0);
   CHECK(translation_and_scaling(knots, 2, 5, 4.0) == 0);
 }
+
+}  // namespace knotwork::knot_vector_test

@@ -9,12 +9,12 @@
 #include "knotwork/surface/surface_measures.h"
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::model_surface_test {
+using namespace test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Catalogued {
   const char* name;
@@ -140,3 +140,5 @@ TEST_CASE("validate names the member that is wrong") {
     CHECK(error_path(Sheet{1, bad}) == "bend_v");
   }
 }
+
+}  // namespace knotwork::model_surface_test

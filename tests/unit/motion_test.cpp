@@ -2,9 +2,8 @@
 
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-using namespace knotwork::test;
+namespace knotwork::scene::motion_test {
+using namespace test;
 
 namespace {
 
@@ -148,3 +147,5 @@ TEST_CASE("motion: shares scale their part and 0 stops it") {
   r.rotation = 0;
   CHECK(patch_motion(r, {0, 0}).model_rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs());
 }
+
+}  // namespace knotwork::scene::motion_test

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::oracle_test {
+using namespace test;
 
 TEST_CASE("close is relative: it rejects small errors of small numbers") {
   CHECK(close(1.0, 1.0 + 5e-13, 1e-12));
@@ -36,3 +36,5 @@ TEST_CASE("a missing oracle is an empty object") {
   CHECK(load_oracle("no_such_file.json").empty());
   CHECK_FALSE(load_oracle("05_blending_functions.json").empty());
 }
+
+}  // namespace knotwork::oracle_test

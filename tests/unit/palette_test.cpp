@@ -6,9 +6,7 @@
 #include <doctest/doctest.h>
 #include <Eigen/Core>
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::palette_test {
 namespace {
 
 Eigen::Vector3d linear(const Colour& srgb) {
@@ -152,3 +150,5 @@ TEST_CASE("palette: a sleeping patch and the ghost over the seam have hues too")
   CHECK(patch_hue_index(torus, {6, 1}) == patch_hue_index(torus, {0, 1}));
   CHECK(patch_hue_index(torus, {2, 4}) == patch_hue_index(torus, {2, 0}));
 }
+
+}  // namespace knotwork::scene::palette_test

@@ -9,9 +9,7 @@
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/commands.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::parameters_test {
 namespace {
 
 Document start() { return find_chapter("blending-surface")->start_document(); }
@@ -174,3 +172,5 @@ TEST_CASE("parameters: a B-function brings its default parameter, its range and 
   CHECK(blending_surface(with("blending.function", "rational", rational)).blending_parameter == 7);
   CHECK(refusal("blending.parameter", 1.0, rational) == "Must be a whole number from 2 to 16.");
 }
+
+}  // namespace knotwork::scene::parameters_test

@@ -4,15 +4,16 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "stage_reader.h"
 
-namespace knotwork::web {
+namespace knotwork::web::patch_drag_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Applies drags of one patch to a document, without events.
 struct Hand {
@@ -266,4 +267,4 @@ TEST_CASE("the arrow moves along the turned normal") {
   }
 }
 
-}  // namespace knotwork::web
+}  // namespace knotwork::web::patch_drag_test

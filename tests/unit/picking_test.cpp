@@ -8,12 +8,10 @@
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/surface_builder.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::picking_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 BlendingSurface surface_of(const BlendingSurfaceObject& object) { return build_surface(object, Animation{}); }
 
@@ -129,3 +127,5 @@ TEST_CASE("picking: the ball holds the surface and the net stays small for many 
   REQUIRE(hit);
   CHECK(hit->jet.s.y() > 1.3);
 }
+
+}  // namespace knotwork::scene::picking_test

@@ -4,8 +4,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace knotwork;
-
+namespace knotwork::result_test {
 namespace {
 
 Result<int> half(int x) {
@@ -44,3 +43,5 @@ TEST_CASE("Status is success without a value") {
   const Status failure = Error{"", "No."};
   CHECK_FALSE(failure.has_value());
 }
+
+}  // namespace knotwork::result_test

@@ -8,12 +8,10 @@
 #include "knotwork/scene/motion.h"
 #include "knotwork/surface/surface_measures.h"
 
-using namespace knotwork;
-using namespace knotwork::scene;
-
+namespace knotwork::scene::surface_builder_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PatchEdit some_edit(double x, double y, double z) {
   PatchEdit edit;
@@ -318,3 +316,5 @@ TEST_CASE("surface builder: every B-function and the largest counts build") {
   const BlendingSurface surface = build_surface(object, Animation{});
   CHECK(surface.local(127, 127).translation().allFinite());
 }
+
+}  // namespace knotwork::scene::surface_builder_test

@@ -9,12 +9,12 @@
 #include "unit/curvature_bounds.h"
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::surface_measures_test {
+using namespace test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Area and total Gaussian curvature of a closed-closed surface on [0,2pi]^2 by the trapezoid rule, which converges
 /// geometrically for periodic integrands.
@@ -155,3 +155,5 @@ TEST_CASE("the normal has length 1 and is a number for extreme jets") {
     }
   }
 }
+
+}  // namespace knotwork::surface_measures_test

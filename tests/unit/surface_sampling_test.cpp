@@ -5,12 +5,12 @@
 #include "knotwork/surface/surface_measures.h"
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::surface_sampling_test {
+using namespace test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Indices = std::vector<std::uint32_t>;
 
 KnotVector knots(int n, Topology topology, double start, double end) {
@@ -99,3 +99,5 @@ TEST_CASE("64 x 64 patches and 1024 x 1024 samples are within the limits") {
   CHECK(mesh.vertex_count() == 1024 * 1024);
   CHECK(mesh.triangle_count() == 2 * 1024 * 1024);
 }
+
+}  // namespace knotwork::surface_sampling_test

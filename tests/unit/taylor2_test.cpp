@@ -4,8 +4,8 @@
 
 #include "unit/oracle.h"
 
-using namespace knotwork;
-using namespace knotwork::test;
+namespace knotwork::taylor2_test {
+using namespace test;
 
 namespace {
 
@@ -82,3 +82,5 @@ TEST_CASE("sinc and cosc take part in the chain rule") {
   check(f, direct_f, 1e-13);
   check(g, direct_g, 1e-13);
 }
+
+}  // namespace knotwork::taylor2_test

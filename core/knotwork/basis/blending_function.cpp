@@ -10,7 +10,7 @@
 namespace knotwork {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr std::array<BlendingFamily, 11> families{{
     {BlendingKind::linear, "linear", "Linear", "t", 0, true, 0, 0, 0},

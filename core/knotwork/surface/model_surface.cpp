@@ -12,7 +12,7 @@
 namespace knotwork {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Bound on lengths and coordinates of a model, so that nothing computed from them overflows.
 constexpr double largest_length = 1e6, smallest_length = 1e-6;
 
