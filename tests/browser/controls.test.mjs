@@ -97,7 +97,7 @@ const toggles = [
   'display.normals', 'display.handles',
 ];
 
-const still = { drawn: true, reducedMotion: true, size: [1040, 800] };
+const still = { drawn: true, reducedMotion: true, size: [1040, 800], scale: 0.5 };
 
 pageTest('each thing shown can be switched in the panel, and makes a difference', still, async (page) => {
   await showMore(page, 'display.wireframe');
@@ -148,7 +148,7 @@ pageTest('the buttons for undo and redo do it, on the page and in the panel', { 
   await page.getByRole('button', { name: /^Redo/, disabled: true }).waitFor();
 });
 
-pageTest('64 x 64 patches and 1024 x 1024 samples are drawn', { full: true, size: [900, 480] }, async (page) => {
+pageTest('64 x 64 patches and 1024 x 1024 samples are drawn', { drawn: true, reducedMotion: true, size: [900, 480], scale: 0.5 }, async (page) => {
   await call(page, 'set', 'locals.u', 64);
   await call(page, 'set', 'locals.v', 64);
   await settled(page);

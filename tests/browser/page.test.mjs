@@ -100,7 +100,7 @@ pageTest('the stage follows the size of the window', {}, async (page) => {
   assert.equal(pageWidth, 390, 'the page is wider than the phone');
 });
 
-pageTest('stage and paper follow the system from light to dark', {}, async (page) => {
+pageTest('stage and paper follow the system from light to dark', { scale: 1 }, async (page) => {
   await settled(page);
   const backgrounds = async () => {
     await settled(page);

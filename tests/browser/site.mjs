@@ -26,6 +26,7 @@ const browserArguments = [
   '--disable-sync',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
+  '--disable-gpu-compositing',  // the page around the stage is cheaper without
 ];
 
 const closing = [];
@@ -123,15 +124,16 @@ async function loadLean(page, surface) {
 }
 
 /// Options: full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
-/// scale, the device pixel ratio; touch, a phone's context; dark; reducedMotion; scripts: false without JavaScript;
-/// address; browser; wait: false does not wait for the figure; before(page): runs before the page is opened;
-/// expected: patterns of complaints that are provoked.
+/// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
+/// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page): runs
+/// before the page is opened; expected: patterns of complaints that are provoked.
 export async function openPage(options = {}) {
   const [width, height] = options.size ?? [1040, 560];
   const browser = options.browser ?? (await sharedBrowser());
   const context = await browser.newContext({
     viewport: { width, height },
-    deviceScaleFactor: options.scale ?? 1,
+    // Drawn in software, pixels are what takes time: a test that is not about them sees the page zoomed out.
+    deviceScaleFactor: options.scale ?? (options.full || options.drawn ? 1 : 0.5),
     hasTouch: options.touch ?? false,
     isMobile: options.touch ?? false,
     colorScheme: options.dark ? 'dark' : 'light',
