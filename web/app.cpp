@@ -344,7 +344,7 @@ void App::advance_roll(double now) {
     roll_.active = !reduced_motion_ && !same(roll_.from, rest);
     if (!roll_.active) roll_.shown = rest;
 
-    if (camera_is_ours_ && interaction_.drag == InteractionState::Drag::none) compose_for(surface_at_rest(), roll_ms);
+    if (interaction_.drag == InteractionState::Drag::none) make_room_for(surface_at_rest());
   }
   if (!roll_.active) return;
   const double share = (now - roll_.start) / roll_ms;
@@ -401,6 +401,24 @@ void App::compose_for(const BlendingSurface& surface, double duration) {
   }
   camera_is_ours_ = true;
   request_frames(2);
+}
+
+/// Before the surface rolls into another shape. A reader's own view is kept as long as it holds that shape as well as it
+/// holds the present one.
+void App::make_room_for(const BlendingSurface& next) {
+  const View now = view();
+  const auto in_view = [&now](const BlendingSurface& surface) {
+    const std::vector<glm::dvec3> points = outline(surface);
+    return std::all_of(points.begin(), points.end(), [&now](const glm::dvec3& point) {
+      const std::optional<glm::dvec3> screen = now.project(point);
+      return screen && screen->x >= 0 && screen->y >= 0 && screen->x <= now.viewport.width &&
+             screen->y <= now.viewport.height;
+    });
+  };
+  const bool ours = camera_is_ours_;
+  if (!ours && (in_view(next) || !geometry_.surface || !in_view(*geometry_.surface))) return;
+  compose_for(next, roll_ms);
+  camera_is_ours_ = ours;
 }
 
 void App::frame_all(bool at_once) {
@@ -471,8 +489,9 @@ void App::run_interface(double seconds) {
   if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
   if (panel_output_.frame_all) frame_all(false);
   if (panel_output_.wants_frame) request_frames(2);
-  if (panel_state_.drawer_open != drawer_was_open_) {
+  if (panel_state_.drawer_open != drawer_was_open_ || panel_state_.show_more != fold_was_open_) {
     drawer_was_open_ = panel_state_.drawer_open;
+    fold_was_open_ = panel_state_.show_more;
     recompose_ = true;
   }
   if (recompose_ && !panel_output_.wants_frame) place_picture();  // the panel stands where it will stay

@@ -111,6 +111,7 @@ class App {
   void changed();
   void request_frames(int count);
   void say(std::string notice);
+  void make_room_for(const BlendingSurface& next);
   void frame_all(bool at_once);
   void place_picture();
   void compose_for(const BlendingSurface& surface, double duration);
@@ -146,7 +147,7 @@ class App {
   Insets insets_{};             ///< the part of the stage that the picture is not centred in
   bool camera_is_ours_ = true;  ///< composed by the program; false once the reader has moved it
   bool recompose_ = false;
-  bool drawer_was_open_ = false;
+  bool drawer_was_open_ = false, fold_was_open_ = false;
   Floor floor_;
   double floor_target_ = -1;
 

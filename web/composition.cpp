@@ -10,7 +10,7 @@ namespace {
 
 constexpr double widest_margin = 34;     // CSS pixels to the stage's edge
 constexpr double clearance = 10;         // CSS pixels to an obstacle
-constexpr int places = 7;                // tried in each direction
+constexpr int places = 11;               // tried in each direction
 constexpr double smallest_share = 0.34;  // of the stage's shorter side; below it obstacles are ignored
 
 /// The viewport whose free part has its middle at (x, y).
@@ -85,24 +85,24 @@ Composition compose(const scene::Camera& direction, std::span<const glm::dvec3> 
     double best_score = 0, best_size = 0;
     for (int a = 0; a < places; ++a) {
       for (int b = 0; b < places; ++b) {
-        const double x = std::lerp(0.26, 0.74, static_cast<double>(a) / (places - 1));
-        const double y = std::lerp(0.26, 0.74, static_cast<double>(b) / (places - 1));
+        const double x = std::lerp(0.14, 0.86, static_cast<double>(a) / (places - 1));
+        const double y = std::lerp(0.14, 0.86, static_cast<double>(b) / (places - 1));
         const Viewport tried = centred(viewport, x * viewport.width, y * viewport.height);
         scene::Camera camera = best.camera;
-        double far = 400 * radius, near = 1.02 * radius;
+        camera.distance = 1;
+        // A little smaller and in the middle looks better than larger and in a corner.
+        const double weight = 1 - 0.35 * std::abs(x - 0.5) - 0.35 * std::abs(y - 0.5);
+        const double score_at_1 = weight * magnification(camera, tried);  // in proportion to 1 / distance
+        double far = best_score > 0 ? score_at_1 / best_score : 400 * radius, near = 1.02 * radius;
         camera.distance = far;
-        if (!present.holds(camera, tried)) continue;
+        if (far <= near || !present.holds(camera, tried)) continue;  // not even as good as the best one
         for (int k = 0; k < 13; ++k) {
           camera.distance = std::sqrt(far * near);
           (present.holds(camera, tried) ? far : near) = camera.distance;
         }
         camera.distance = far;
-        const double size = magnification(camera, tried);
-        // A little smaller and in the middle looks better than larger and in a corner.
-        const double score = size * (1 - 0.35 * std::abs(x - 0.5) - 0.35 * std::abs(y - 0.5));
-        if (score <= best_score) continue;
-        best_score = score;
-        best_size = size;
+        best_score = score_at_1 / far;
+        best_size = best_score / weight;
         best.camera.distance = camera.distance;
         best.viewport = tried;
       }

@@ -198,6 +198,7 @@ void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, c
     return;
   }
   state.last_tap.reset();
+  state.selected_before = state.selected;
   if (under.handle) change_selection(state, outcome, under.handle);
   state.drag = under.part ? Drag::gizmo : Drag::handle;
   state.drag_part = under.part.value_or(state.drag_part);
@@ -207,7 +208,14 @@ void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, c
 }
 
 void begin_pinch(InteractionState& state, Outcome& outcome, int first, const PointerEvent& event) {
-  if (holds_patch(state)) let_go(state, outcome, event.time - state.gesture_time <= just_begun);
+  if (holds_patch(state)) {
+    const bool was_meant = !state.gesture_open || event.time - state.gesture_time <= just_begun;
+    let_go(state, outcome, was_meant);
+    if (was_meant && state.selected != state.selected_before) {
+      change_selection(state, outcome, state.selected_before);
+      outcome.notice.clear();
+    }
+  }
   state.drag = Drag::pinch;
   state.drag_pointer = first;
   state.second_pointer = event.id;

@@ -41,6 +41,7 @@ struct Stage {
 /// What the reader holds, hovers over and has selected.
 struct InteractionState {
   std::optional<scene::PatchIndex> selected, hovered;
+  std::optional<scene::PatchIndex> selected_before;  ///< the present drag; a pinch that it turns out to be restores it
   std::optional<GizmoPart> hovered_part;
   /// The surface point under the resting pointer, for the probe; on touch, the point tapped last.
   std::optional<glm::dvec2> probe;  ///< (u, v)

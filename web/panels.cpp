@@ -554,7 +554,7 @@ void drawer(Frame& frame) {
   if (state.drawer_open && state.drawer_share == 0) frame.ui.wants_frame = true;
   if (share <= 0) return;
 
-  const float height = std::round(stage.height * 0.68F);
+  const float height = std::round(stage.height * 0.6F);
   const Rect rect{0, std::round(stage.height - height * share), stage.width, height};
   // Above the clock, which is the window last touched when someone has just played.
   // Only once: taking the focus again would close a list that opens over the drawer.

@@ -1,7 +1,7 @@
 // Pictures of the page for people to look at: npm run look -- FOLDER
 import { mkdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
-import { launch, openPage } from './site.mjs';
+import { closeShared, launch, openPage } from './site.mjs';
 import {
   call, clickWidget, drag, frontHandle, hasWidget, plus, settled, showMore, stageRect, until,
 } from './stage.mjs';
@@ -86,3 +86,4 @@ for (const [name, options] of screens) {
   }
 }
 await browser.close();
+await closeShared();

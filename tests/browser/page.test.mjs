@@ -335,14 +335,32 @@ pageTest('headings, landmarks and names are in order', {}, async (page) => {
   for (const link of links) assert.equal(await page.locator(link).count(), 1, `${link} leads nowhere`);
 });
 
-pageTest('a real selection of prose is possible, and printing leaves the figure out of the way', {}, async (page) => {
+pageTest('a real selection of prose is possible, and print has the prose and a still of the figure', { drawn: true, dark: true }, async (page) => {
   await page.getByRole('main').locator('p').first().click({ clickCount: 3 });
   assert.ok((await page.evaluate(() => getSelection().toString())).length > 60);
-  await page.emulateMedia({ media: 'print' });
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
   assert.ok((await page.getByRole('main').locator('h2').count()) > 3);
   const { width } = await page.getByRole('main').boundingBox();
   assert.ok(width > 500, 'the prose is narrow on paper');
-  await page.emulateMedia({ media: 'screen' });
+  await page.emulateMedia({ media: 'screen', colorScheme: 'dark' });
+
+  await page.evaluate(() => {
+    addEventListener('beforeprint', () => {
+      const still = document.querySelector('.still');
+      const { data } = still.getContext('2d').getImageData(0, 0, still.width, still.height);
+      const at = (share) => [...data.slice(4 * Math.floor((share * data.length) / 4)).slice(0, 3)];
+      const hues = new Set();
+      for (let k = 0; k < data.length; k += 64) hues.add((data[k] >> 5) * 64 + (data[k + 1] >> 5) * 8 + (data[k + 2] >> 5));
+      window.printed = { size: [still.width, still.height], corner: at(0), hues: hues.size };
+    });
+  });
+  await page.pdf();
+  const printed = await page.evaluate(() => window.printed);
+  const stage = await stageRect(page);
+  assert.deepEqual(printed.size, [stage.width, stage.height].map((length) => Math.round(length)));
+  assert.ok(printed.corner.every((part) => part > 200), `the still is dark: ${printed.corner}`);
+  assert.ok(printed.hues > 40, `the still shows ${printed.hues} colours`);
+  assert.equal(await page.locator('.still').count(), 0);
 });
 
 pageTest('the notice line tells what is held', {}, async (page) => {

@@ -29,8 +29,17 @@ export async function parameter(page, id) {
   return row;
 }
 
-/// Resolves when the stage has come to rest: some animation frames have gone by and none of them was drawn.
+/// Resolves when the stage has come to rest: the page's own transitions have ended, some animation frames have gone by,
+/// and none of them was drawn.
 export async function settled(page) {
+  await page.evaluate(() =>
+    Promise.allSettled(
+      document
+        .getAnimations()
+        .filter((animation) => Number.isFinite(animation.effect.getComputedTiming().endTime))
+        .map((animation) => animation.finished),
+    ).then(() => undefined),
+  );
   await page.evaluate(
     () =>
       new Promise((resolve, reject) => {

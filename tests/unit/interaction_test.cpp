@@ -388,13 +388,15 @@ TEST_CASE("a second finger cancels a handle drag that has just begun and ends on
     CHECK(reader.document.camera.distance < before.camera.distance);
     CHECK(reader.history.can_undo() == lasted);
   }
-  // Before the drag has begun there is nothing to take back.
+  // Before the drag has begun there is nothing to take back but the selection.
   Reader reader;
   touch(reader);
   const glm::dvec2 at = reader.at(reader.visible_handle());
   reader.down(at, 1);
+  CHECK(reader.state.selected.has_value());
   CHECK_FALSE(reader.down(at + glm::dvec2(100, 0), 2).cancel_gesture);
   CHECK(reader.state.drag == Drag::pinch);
+  CHECK_FALSE(reader.state.selected.has_value());
 }
 
 TEST_CASE("a second finger ends an orbit where it is") {

@@ -247,7 +247,7 @@ std::vector<Parameter> make_table() {
                                  {{"breathe", "breathe"}, {"report", "as in the report"}}),
       number<&Animation::amplitude, limits::amplitude>("motion.amplitude", "amplitude", "Motion", {0.01, 0.5}),
       number<&Animation::translation, limits::share>("motion.translation", "translation", "Motion", {0.01, 1}),
-      number<&Animation::rotation, limits::share>("motion.rotation", "rotation", "Motion", {0.01, 1}),
+      number<&Animation::rotation, limits::share>("motion.rotation", "rotation", "Motion", {0.5, 1}),
   };
 }
 
