@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
@@ -136,7 +137,7 @@ void App::changed() {
 }
 
 void App::say(std::string notice) {
-  notice_ = std::move(notice);
+  notice_ = spoken_ = std::move(notice);
   notice_until_ = now_ + notice_ms;
   ++revision_;
   request_frames(1);
@@ -239,6 +240,7 @@ void App::update_geometry() {
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   const bool same_shape = geometry_.surface && same(roll_.shown, geometry_.roll) && same_static_part(object);
   if (same_shape && object.edits == geometry_.object.edits && document_.animation == geometry_.animation) return;
+  const double start = milliseconds();
   if (same_shape) {
     scene::update_locals(*geometry_.surface, object, document_.animation, roll_.shown);
   } else {
@@ -252,6 +254,7 @@ void App::update_geometry() {
   geometry_.maps_uploaded = false;
   geometry_.net.reset();
   handles_.clear();
+  evaluating_ms_ += milliseconds() - start;
 }
 
 /// Whether `object` needs the tables that stand on the GPU: it differs from what they were made from in edits only.
@@ -263,12 +266,8 @@ bool App::same_static_part(const scene::BlendingSurfaceObject& object) const {
          object.samples_v == made.samples_v;
 }
 
-const scene::PickNet& App::net() {
-  if (!geometry_.net) geometry_.net.emplace(*geometry_.surface);
-  return *geometry_.net;
-}
-
 void App::upload() {
+  const double start = milliseconds();
   const BlendingSurface& surface = *geometry_.surface;
   const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
   if (!geometry_.tables_uploaded) {
@@ -293,6 +292,7 @@ void App::upload() {
     renderer_.upload_hues(hues, n_u, n_v);
     geometry_.hues_uploaded = true;
   }
+  evaluating_ms_ += milliseconds() - start;
 }
 
 /// The floor lies a little under the lowest point; it does not bob with a playing animation or a held patch.
@@ -369,10 +369,10 @@ void App::advance(double now) {
   advance_roll(now);
   if (camera_transition_) {
     const CameraTransition& move = *camera_transition_;
-    const double share = move.duration > 0 ? ease((now - move.start) / move.duration) : 1;
+    const double share = move.duration > 0 ? (now - move.start) / move.duration : 1;
     (void)apply(document_, scene::SetCamera{share >= 1 ? move.to : between(move.from, move.to, share)});
     for (std::size_t k = 0; k < insets_.size(); ++k)
-      insets_[k] = std::lerp(move.insets_from[k], move.insets_to[k], share);
+      insets_[k] = std::lerp(move.insets_from[k], move.insets_to[k], ease(share));
     if (share >= 1) camera_transition_.reset();
     request_frames(1);
   }
@@ -431,7 +431,12 @@ void App::frame_all(bool at_once) {
 bool App::frame(double now) {
   if (!context_ready_ || pending_frames_ <= 0) return running_ = false;
   const double start = milliseconds();
-  if (!running_) last_frame_ = now - usual_frame_ms;  // idle until now: no leap of the clock
+  if (!running_) {
+    last_frame_ = now - usual_frame_ms;  // idle until now: no leap of the clock
+    // Events read the time of the last frame: what they have begun since begins now.
+    if (camera_transition_) camera_transition_->start += now - now_;
+    notice_until_ += now - now_;
+  }
   --pending_frames_;
   now_ = now;
   const double seconds = std::clamp((now - last_frame_) / 1000, 1e-4, longest_step);
@@ -442,16 +447,15 @@ bool App::frame(double now) {
   if (document_.animation.playing && interaction_.gesture_open) apply_outcome(web::hold(interaction_, stage(nowhere)));
   run_interface(seconds);
   advance_roll(now);  // what the interface has just changed is in this very picture
-  const double evaluate_start = milliseconds();
   update_geometry();
   update_floor(seconds);
   upload();
-  stats_.evaluate_ms = milliseconds() - evaluate_start;
   draw();
 
   last_frame_ = now;
   ++stats_.frames;
   stats_.frame_ms = milliseconds() - start;
+  stats_.evaluate_ms = std::exchange(evaluating_ms_, 0);
   return running_ = wants_frame();
 }
 
@@ -559,14 +563,16 @@ Picture App::picture() {
 Stage App::stage(glm::dvec2 position) {
   handles();
   stage_view_ = view();
+  Stage stage{document_, *geometry_.surface, geometry_.net, stage_view_, handles_};
+  if (interaction_.drag != InteractionState::Drag::none) return stage;  // nothing is looked for while a hand is busy
   for (Handle& handle : handles_) {
     if (!handle.screen || glm::distance(glm::dvec2(*handle.screen), position) > handle_neighbourhood) continue;
     const scene::Ray ray = stage_view_.ray(glm::dvec2(*handle.screen));
-    const std::optional<scene::SurfaceHit> hit = net().pick(*geometry_.surface, ray);
+    const std::optional<scene::SurfaceHit> hit = stage.pick(ray);
     const double depth = glm::distance(handle.position, {ray.origin.x(), ray.origin.y(), ray.origin.z()});
     handle.hidden = hit && hit->distance < depth - 8 * stage_view_.pixel_size(handle.position);
   }
-  return {document_, *geometry_.surface, net(), stage_view_, handles_};
+  return stage;
 }
 
 void App::apply_outcome(const Outcome& outcome) {

@@ -19,7 +19,7 @@ namespace knotwork::web {
 /// What stats() of the script interface tells.
 struct AppStats {
   std::int64_t frames = 0;  ///< since start
-  double evaluate_ms = 0;   ///< of the last frame: building surface, maps and tables
+  double evaluate_ms = 0;   ///< up to the last frame, since the one before: building surface, maps and tables
   double frame_ms = 0;      ///< of the last frame: all of the main thread's work
 };
 
@@ -67,7 +67,7 @@ class App {
   std::optional<scene::PatchIndex> selected() const { return interaction_.selected; }
   const std::vector<Widget>& widgets() const { return panel_output_.widgets; }
   /// What the page's live region should say.
-  const std::string& notice() const { return notice_.empty() ? spoken_ : notice_; }
+  const std::string& notice() const { return spoken_; }
   const AppStats& stats() const { return stats_; }
   const RendererStats& renderer_stats() const { return renderer_.stats(); }
   /// Grows whenever something that the page shows beside the stage has changed.
@@ -116,7 +116,6 @@ class App {
   void place_picture();
   void compose_for(const BlendingSurface& surface, double duration);
   void snap();
-  const scene::PickNet& net();
   View view() const;
   Viewport free_viewport() const;
   /// What an event at `position` looks at; handles near it know whether something hides them.
@@ -156,13 +155,14 @@ class App {
   std::optional<int> interface_leader_;  ///< the first of them: ImGui's mouse
   bool over_before_ = false;             ///< the hovering pointer was over a panel
   std::string notice_;                   ///< shown on the stage for a moment
-  std::string spoken_;                   ///< for the page's live region only
+  std::string spoken_;                   ///< for the page's live region: the last deed or notice
   double notice_until_ = 0;
   int pending_frames_ = 3;
   bool running_ = false;  ///< the last frame asked for this one
   double now_ = 0, last_frame_ = 0;
   std::uint64_t revision_ = 1;
   AppStats stats_;
+  double evaluating_ms_ = 0;  ///< spent on geometry since the last frame
 };
 
 }  // namespace knotwork::web

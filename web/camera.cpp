@@ -49,6 +49,10 @@ glm::dvec3 direction(const scene::Camera& camera) {
   return {c * std::cos(camera.azimuth), c * std::sin(camera.azimuth), std::sin(camera.elevation)};
 }
 
+double limited_distance(double distance, const scene::Camera& otherwise) {
+  return std::clamp(distance, std::min(min_distance, otherwise.distance), std::max(max_distance, otherwise.distance));
+}
+
 scene::Camera limited(scene::Camera camera, const scene::Camera& otherwise) {
   const double numbers[] = {camera.target.x(), camera.target.y(), camera.target.z(),
                             camera.distance,   camera.azimuth,    camera.elevation};
@@ -56,9 +60,10 @@ scene::Camera limited(scene::Camera camera, const scene::Camera& otherwise) {
     return otherwise;
   }
   camera.target = camera.target.cwiseMax(-scene::max_coordinate).cwiseMin(scene::max_coordinate);
-  camera.distance = std::clamp(camera.distance, min_distance, max_distance);
+  camera.distance = limited_distance(camera.distance, otherwise);
   camera.azimuth = std::remainder(camera.azimuth, 2 * pi);
-  camera.elevation = std::clamp(camera.elevation, -max_elevation, max_elevation);
+  const double steepest = std::max(max_elevation, std::abs(otherwise.elevation));
+  camera.elevation = std::clamp(camera.elevation, -steepest, steepest);
   return camera;
 }
 
@@ -134,7 +139,7 @@ scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& vi
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view) {
   if (!std::isfinite(factor) || factor <= 0) return camera;
   scene::Camera zoomed = camera;
-  zoomed.distance = std::clamp(camera.distance / factor, min_distance, max_distance);
+  zoomed.distance = limited_distance(camera.distance / factor, camera);
   const glm::dvec2 offset = anchor - free_area(view.viewport).centre;
   const double size = view.pixel_size(to_glm(camera.target));
   zoomed.target +=
@@ -149,9 +154,9 @@ scene::Camera between(const scene::Camera& from, const scene::Camera& to, double
   scene::Camera camera;
   camera.target = (1 - s) * from.target + s * to.target;
   camera.distance = from.distance * std::pow(to.distance / from.distance, s);
-  camera.azimuth = from.azimuth + s * std::remainder(to.azimuth - from.azimuth, 2 * pi);
+  camera.azimuth = std::remainder(from.azimuth + s * std::remainder(to.azimuth - from.azimuth, 2 * pi), 2 * pi);
   camera.elevation = (1 - s) * from.elevation + s * to.elevation;
-  return limited(camera, from);
+  return camera;
 }
 
 }  // namespace knotwork::web

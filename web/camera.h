@@ -49,8 +49,8 @@ inline constexpr double max_elevation = 1.5533;                   ///< radians, 
 /// depth buffer tells 2e-5 model units apart at the target.
 View make_view(const scene::Camera& camera, const Viewport& viewport);
 
-// Each returns the camera after a gesture; angles, distance and target stay in the document's limits. Where a gesture
-// makes no sense (numbers that overflow), the camera stays as it is.
+// Each returns the camera after a gesture; angles, distance and target stay in these limits, or where a document has put
+// them beyond. Where a gesture makes no sense (numbers that overflow), the camera stays as it is.
 
 /// The shorter side of the free area turns by half a circle; the surface follows the pointer.
 scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewport& viewport);

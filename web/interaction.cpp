@@ -143,7 +143,7 @@ Target target(const InteractionState& state, const Stage& stage, glm::dvec2 posi
 }
 
 std::optional<glm::dvec2> surface_point(const Stage& stage, glm::dvec2 position) {
-  const std::optional<scene::SurfaceHit> hit = stage.net.pick(stage.surface, stage.view.ray(position));
+  const std::optional<scene::SurfaceHit> hit = stage.pick(stage.view.ray(position));
   return hit ? std::optional(glm::dvec2(hit->u, hit->v)) : std::nullopt;
 }
 

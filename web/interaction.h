@@ -28,14 +28,20 @@ struct Handle {
 std::string handle_id(scene::PatchIndex patch);
 std::optional<scene::PatchIndex> handle_patch(std::string_view id);
 
-/// What an interaction looks at. Nothing in here is changed by it. The document is up to date (the commands of the last
-/// outcome are applied before the next event); surface, net, view and handles are those of the last frame.
+/// What an interaction looks at. Nothing in here is changed by it but the net, which is made when first needed: it costs
+/// as much as a mesh. The document is up to date (the commands of the last outcome are applied before the next event);
+/// surface, net, view and handles are those of the last frame.
 struct Stage {
   const scene::Document& document;
   const BlendingSurface& surface;
-  const scene::PickNet& net;
+  std::optional<scene::PickNet>& net;
   const View& view;
   std::span<const Handle> handles;
+
+  std::optional<scene::SurfaceHit> pick(const scene::Ray& ray) const {
+    if (!net) net.emplace(surface);
+    return net->pick(surface, ray);
+  }
 };
 
 /// What the reader holds, hovers over and has selected.

@@ -1,11 +1,15 @@
 #include "web/script_interface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/document_json.h"
+#include "knotwork/scene/surface_builder.h"
 
 namespace knotwork::web {
 namespace {
@@ -113,9 +117,10 @@ std::string answer_parameters(const App& app) {
     row["kind"] = kind_name(parameter.kind);
     const bool numeric =
         parameter.kind == scene::ParameterKind::number || parameter.kind == scene::ParameterKind::integer;
-    row["min"] = numeric ? Json(parameter.min) : Json();
-    row["max"] = numeric ? Json(parameter.max) : Json();
-    row["softMax"] = numeric ? Json(parameter.soft_max) : Json();
+    const scene::Limits range = scene::range_of(app.document(), parameter);
+    row["min"] = numeric ? Json(range.min) : Json();
+    row["max"] = numeric ? Json(range.max) : Json();
+    row["softMax"] = numeric ? Json(std::min(parameter.soft_max, range.max)) : Json();
     row["step"] = numeric ? Json(parameter.step) : Json();
     row["unit"] = parameter.unit;
     Json choices = Json::array();
@@ -176,13 +181,18 @@ std::string answer_widgets(const App& app) {
 }
 
 std::string answer_evaluate(const App& app, std::string_view object, std::string_view json_parameter, int order) {
-  if (object != app.document().objects.front().id)
+  const std::vector<scene::Object>& objects = app.document().objects;
+  const auto found =
+      std::find_if(objects.begin(), objects.end(), [&](const scene::Object& o) { return o.id == object; });
+  if (found == objects.end())
     return refusal({"object", "There is no object \"" + std::string(object) + "\" in the document."});
   if (order < 0 || order > 2) return refusal({"order", "The order of derivatives is 0, 1 or 2."});
   const Json at = parse(json_parameter);
   if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number())
     return refusal({"parameter", "A surface is evaluated at [u, v], two finite numbers."});
-  const SurfaceJet jet = app.surface_at_rest().evaluate(at[0].get<double>(), at[1].get<double>());
+  const BlendingSurface surface =
+      scene::build_surface(std::get<scene::BlendingSurfaceObject>(found->shape), app.document().animation);
+  const SurfaceJet jet = surface.evaluate(at[0].get<double>(), at[1].get<double>());
   Json json = Json::object();
   json["S"] = array(jet.s);
   if (order >= 1) {
@@ -205,7 +215,9 @@ std::string answer_seek(App& app, double seconds) {
   if (!std::isfinite(seconds)) return refusal({"seconds", "The clock is set to a finite number of seconds."});
   // fmod is exact: a product with the number of periods would leave the period for large clocks.
   const double rest = std::fmod(seconds, scene::clock_period);
-  const double wrapped = rest < 0 ? rest + scene::clock_period : rest;
+  const double positive = rest < 0 ? rest + scene::clock_period : rest;
+  // A tiny negative time rounds up to the whole period, which is its start.
+  const double wrapped = positive < scene::clock_period ? positive : 0;
   return answer(app.perform(scene::SetParameter{"animation.time", wrapped}));
 }
 

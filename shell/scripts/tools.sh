@@ -66,13 +66,15 @@ install_packages() {
 
 require_commands() {
   local commands=(cmake ninja c++ emcc node npm) missing=() command
+  [[ $1 == test ]] && commands+=(clang-format clang-tidy)
   for command in "${commands[@]}"; do
     command -v "$command" >/dev/null || missing+=("$command")
   done
   if ((${#missing[@]})); then
     say "Missing: ${missing[*]}. This script installs by itself only on Debian as root."
-    say "  macOS:  brew install cmake ninja emscripten node"
-    say "  others: CMake 3.25, Ninja, a C++20 compiler, Emscripten 3.1.6 or newer, Node.js $node_minimum or newer"
+    say "  macOS:  brew install cmake ninja emscripten node; for the tests also llvm"
+    say "  others: CMake 3.25, Ninja, a C++20 compiler, Emscripten 3.1.6 or newer, Node.js $node_minimum or newer;"
+    say "          for the tests also clang-format and clang-tidy 14 or newer, and Chromium"
     exit 1
   fi
   if [[ $1 == test ]] && ! find_chromium >/dev/null; then

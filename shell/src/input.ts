@@ -49,6 +49,10 @@ export function listen(canvas: HTMLCanvasElement, bridge: Bridge): void {
 
   canvas.addEventListener('keydown', (event) => {
     if (event.isComposing) return;
+    if (event.repeat && event.key === ' ') {
+      event.preventDefault();  // a switch is pressed once, however long
+      return;
+    }
     delete canvas.dataset['held'];
     const used = bridge.key(true, event.key, modifiersOf(event));
     if (used && event.key !== 'Tab') event.preventDefault();

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
-  call, course, difference, distance, documentOf, drag, fingers, frameDrawn, handlesOf, minus, nextUndo, picture,
+  call, course, difference, distance, documentOf, drag, fingers, frameDrawn, frontHandle, handlesOf, minus, nextUndo, picture,
   plus, projection, record, settled, stageRect, until,
 } from './stage.mjs';
 
@@ -186,16 +186,17 @@ pageTest('the pointer shows what it would do', {}, async (page) => {
   const spot = await emptySpot(page);
   await page.mouse.move(...spot);
   await frameDrawn(page);
-  const free = await cursor();
-  const handle = (await handlesOf(page)).find((h) => h.screen);
+  assert.equal(await cursor(), 'default');
+  const handle = await frontHandle(page);
   await page.mouse.move(...handle.screen);
   await frameDrawn(page);
-  const seen = new Set([free, await cursor()]);
-  await page.mouse.move(...spot);
-  await page.mouse.down();
-  await page.mouse.move(...plus(spot, [6, 6]));
-  await frameDrawn(page);
-  seen.add(await cursor());
-  await page.mouse.up();
-  assert.ok(seen.size >= 2, `the cursor is always ${[...seen]}`);
+  assert.equal(await cursor(), 'grab');
+  for (const from of [handle.screen, spot]) {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(...plus(from, [6, 6]));
+    await frameDrawn(page);
+    assert.equal(await cursor(), 'grabbing');
+    await page.mouse.up();
+  }
 });

@@ -338,3 +338,28 @@ pageTest('stats() counts frames and bytes, and tells of the last frame', { drawn
   const after = await statsOf(page);
   assert.ok(after.frames > before.frames && after.uploadBytes > before.uploadBytes);
 });
+
+pageTest('the range of a parameter is the one that holds now, in the table and beside the prose', {}, async (page) => {
+  const slider = page.locator('[data-parameter="blending.parameter"] input').first();
+  for (const [family, min, max] of [['rational', 2, 16], ['polynomial_m', 0, 16]]) {
+    await call(page, 'set', 'blending.function', family);
+    await settled(page);
+    const row = await parameter(page, 'blending.parameter');
+    assert.equal(row.min, min, family);
+    assert.ok(row.max <= max, `${family}: up to ${row.max}`);
+    assert.equal(await slider.getAttribute('min'), String(min));
+    await call(page, 'set', row.id, row.min);
+    await assert.rejects(call(page, 'set', row.id, row.min - 1));
+    await assert.rejects(call(page, 'set', row.id, row.max + 1));
+  }
+});
+
+pageTest('every object of a document can be evaluated', {}, async (page) => {
+  const document = await documentOf(page);
+  const [first] = document.objects;
+  document.objects.push({ ...structuredClone(first), id: 'second', topology: { u: 'open', v: 'open' } });
+  await call(page, 'load', document);
+  const at = (object, u, v) => call(page, 'evaluate', object, [u, v], 1).then(({ S }) => S);
+  assert.ok(distance(await at(first.id, 0, 0.5), await at('second', 0, 0.5)) > 0.1, 'the second is the first again');
+  await assert.rejects(at('third', 0, 0), /third/);
+});

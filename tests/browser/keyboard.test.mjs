@@ -118,6 +118,11 @@ pageTest('space plays and pauses, plus and minus zoom, 0 frames', {}, async (pag
   await page.waitForFunction((was) => window.knotwork.document().animation.playing !== was, was);
   await page.keyboard.press(' ');
   await page.waitForFunction((was) => window.knotwork.document().animation.playing === was, was);
+  for (let k = 0; k < 4; ++k) await page.keyboard.down(' ');  // held: one press, and its repetitions
+  await page.keyboard.up(' ');
+  await page.waitForFunction((was) => window.knotwork.document().animation.playing !== was, was);
+  await page.keyboard.press(' ');
+  await page.waitForFunction((was) => window.knotwork.document().animation.playing === was, was);
   assert.equal(await page.evaluate(() => scrollY), 0, 'space has scrolled the page');
 
   const away = async () => (await documentOf(page)).camera.distance;

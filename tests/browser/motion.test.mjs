@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
-  call, clickWidget, documentOf, frameDrawn, handlesOf, nextUndo, sampleCells, settled, statsOf, surfaceOf, until,
+  call, clickWidget, course, documentOf, frameDrawn, handlesOf, nextUndo, record, sampleCells, settled, statsOf,
+  surfaceOf, until,
 } from './stage.mjs';
 
 const clockOf = async (page) => (await documentOf(page)).animation;
@@ -102,6 +103,45 @@ pageTest('play(), pause() and seek() are the same clock', {}, async (page) => {
   assert.deepEqual(await sampleCells(page, [0.5]), there, 'the same time gives another surface');
   await call(page, 'seek', 0);
   await settled(page);
+});
+
+/// Nothing happens for five seconds, longer than a notice stands.
+async function pause(page) {
+  await page.evaluate(() => (window.since = performance.now()));
+  await until(page, () => performance.now() - window.since > 5000);
+}
+
+pageTest('what begins after a long pause begins then: camera and notice', {}, async (page) => {
+  await call(page, 'set', 'model', 'plane');
+  await page.locator('canvas').focus();
+  await settled(page);
+  const { camera } = await documentOf(page);
+  await call(page, 'load', { ...(await documentOf(page)), camera: { ...camera, distance: 2 * camera.distance } });
+  await settled(page);
+  await pause(page);
+  const way = course(await record(page, () => page.keyboard.press('Home')), (row) => row.camera);
+  assert.ok(way.stages > 3 || way.ms > 200, `the camera leaps: ${way.stages} stages in ${way.ms} ms`);
+
+  await settled(page);
+  await pause(page);
+  await assert.rejects(call(page, 'set', 'topology.u', 'closed'));
+  const { frames } = await statsOf(page);
+  await page.evaluate(() => (window.since = performance.now()));
+  await until(page, () => performance.now() - window.since > 1500);
+  assert.ok((await statsOf(page)).frames > frames + 8, 'the reason of the refusal is gone before it could be read');
+});
+
+pageTest('seek takes any finite time, and no other', {}, async (page) => {
+  const period = 2 * Math.PI;
+  for (const [asked, time] of [[-1, period - 1], [1e9, 1e9 % period], [-1e-20, 0], [period, 0], [3 * period + 1, 1]]) {
+    await call(page, 'seek', asked);
+    const clock = (await clockOf(page)).time;
+    assert.ok(clock >= 0 && clock < period, `seek(${asked}) sets the clock to ${clock}`);
+    assert.ok(Math.abs(clock - time) < 1e-6, `seek(${asked}) sets the clock to ${clock}, not to ${time}`);
+  }
+  const before = await clockOf(page);
+  for (const wrong of [Infinity, -Infinity, NaN, 'soon']) await assert.rejects(call(page, 'seek', wrong));
+  assert.deepEqual(await clockOf(page), before);
 });
 
 pageTest('neither playing nor seeking is a step of undo', {}, async (page) => {

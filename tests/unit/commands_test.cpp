@@ -143,7 +143,7 @@ TEST_CASE("commands: descriptions read like a menu") {
   CHECK(describe(SetParameter{"topology.u", "closed"}) == "Close u");
   CHECK(describe(SetParameter{"topology.v", "open"}) == "Open v");
   CHECK(describe(SetParameter{"model", "torus"}) == "Change the model to Torus");
-  CHECK(describe(SetParameter{"locals.u", 7.0}) == "Set patches u to 7");
+  CHECK(describe(SetParameter{"locals.u", 7.0}) == "Set locals u to 7");
   CHECK(describe(SetParameter{"display.frames", true}) == "Show frames");
   CHECK(describe(SetParameter{"display.frames", false}) == "Hide frames");
   PatchEdit edit;

@@ -312,7 +312,7 @@ TEST_CASE("document JSON: a refused document leaves document and history alone")
   blending_surface(invalid).locals_u = 0;
   CHECK_FALSE(history.perform(document, LoadDocument{invalid}));
   CHECK(document == before);
-  CHECK(history.undo_label() == "Set patches u to 7");
+  CHECK(history.undo_label() == "Set locals u to 7");
 }
 
 TEST_CASE("document JSON: the files of tests/data/documents are read or refused as their names say") {

@@ -544,7 +544,7 @@ TEST_CASE("fingers do not hover; their tap on the surface sets the probe") {
   CHECK_FALSE(reader.state.hovered.has_value());
   glm::dvec2 on_surface = at;
   while (gap(on_surface, at) < 25) on_surface += glm::dvec2(1, 0.5);
-  REQUIRE(reader.net.pick(reader.surface, reader.view.ray(on_surface)).has_value());
+  REQUIRE(reader.stage().pick(reader.view.ray(on_surface)).has_value());
   reader.tap(on_surface);
   CHECK(reader.state.probe.has_value());
   reader.now += 1000;

@@ -127,7 +127,10 @@ TEST_CASE("motion: breathing is along the normal, the report's is along its form
   CHECK(breathing.own_rotation.angularDistance(Eigen::Quaterniond::Identity()) > 0.1);
 
   const PatchMotion report = patch_motion(animation(MotionKind::report, 0.7), {0, 0});
-  CHECK(close(report.model_translation, report_displacement_parent(0.7, 0.3), 1e-15));
+  CHECK(close(report.model_translation, report_displacement_local(0.7, 0.3), 1e-15));
+  Animation unturned = animation(MotionKind::report, 0.7);
+  unturned.rotation = 0;
+  CHECK(close(patch_motion(unturned, {0, 0}).model_translation, report_displacement_parent(0.7, 0.3), 1e-15));
   CHECK((report.model_rotation.coeffs() - report_rotation(0.7).coeffs()).norm() < 1e-15);
 }
 

@@ -23,7 +23,7 @@ struct Reader {
   Viewport viewport{805, 900, 1, 0, 0, 300, 60};
   View view;
   BlendingSurface surface;
-  scene::PickNet net;
+  mutable std::optional<scene::PickNet> net;
   std::vector<Handle> handles;
   bool frame_each_event = true;  ///< false: events come faster than frames
   bool gesture_open = false;
@@ -36,8 +36,7 @@ struct Reader {
   explicit Reader(scene::Document start = standard_document())
       : document(std::move(start)),
         view(make_view(document.camera, viewport)),
-        surface(scene::build_surface(object(), document.animation)),
-        net(surface) {
+        surface(scene::build_surface(object(), document.animation)) {
     draw();
   }
 

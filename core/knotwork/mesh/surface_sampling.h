@@ -14,8 +14,8 @@ enum class Seam : unsigned char { joined, repeated };
 
 /// The parameters of a sampling grid: every knot is sampled, `steps` equal steps in each knot interval.
 struct SampleGrid {
-  std::vector<double> u,
-      v;  ///< sorted; a closed direction ends with its end parameter when repeated, one before when joined
+  /// Sorted; a closed direction ends with its end parameter when repeated, one before when joined.
+  std::vector<double> u, v;
   int steps_u = 1, steps_v = 1;
 };
 

@@ -26,10 +26,11 @@ PatchMotion breathe(const Animation& animation, double sign) {
 
 PatchMotion report(const Animation& animation, double sign) {
   PatchMotion motion;
-  motion.model_translation =
-      sign * animation.translation * report_displacement_parent(animation.time, animation.amplitude);
-  // Whole turns a period: anything between would jump when the clock starts again.
+  // Whole turns a period: anything between would jump when the clock starts again. With both of them the patch steps
+  // along its own, turning axes, which is the report's motion; with one of them that path would not close.
   const double turns = std::round(2 * animation.rotation);
+  const auto displacement = turns == 2 ? report_displacement_local : report_displacement_parent;
+  motion.model_translation = sign * animation.translation * displacement(animation.time, animation.amplitude);
   if (turns != 0 && animation.time != 0) motion.model_rotation = turn_about_x(turns * animation.time);
   return motion;
 }

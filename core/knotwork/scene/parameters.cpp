@@ -225,8 +225,8 @@ std::vector<Parameter> make_table() {
       topology<&Surface::topology_u, 'u'>("topology.u", "u"),
       topology<&Surface::topology_v, 'v'>("topology.v", "v"),
       model(),
-      integer<&Surface::locals_u, limits::locals>("locals.u", "patches u", "Patches", {1, 12}),
-      integer<&Surface::locals_v, limits::locals>("locals.v", "patches v", "Patches", {1, 12}),
+      integer<&Surface::locals_u, limits::locals>("locals.u", "locals u", "Local patches", {1, 12}),
+      integer<&Surface::locals_v, limits::locals>("locals.v", "locals v", "Local patches", {1, 12}),
       blending_function(),
       blending_parameter(),
       integer<&Surface::samples_u, limits::samples>("samples.u", "samples u", "Sampling", {8, 256}),
@@ -272,7 +272,8 @@ std::string refused_choice(const Document& document, const Parameter& parameter,
 }
 
 Limits range_of(const Document& document, const Parameter& parameter) {
-  if (parameter.id == "blending.parameter") return family_range(document);
+  const bool of_family = parameter.id == "blending.parameter" && family_range(document).max > 0;
+  if (of_family) return family_range(document);
   return {parameter.min, parameter.max};
 }
 

@@ -48,7 +48,7 @@ std::string refused_choice(const Document& document, const Parameter& parameter,
 /// What else setting the parameter changes ("The plane is not closed in u, so u opens."), empty when nothing.
 std::string side_effect(const Document& document, const Parameter& parameter, const ParameterValue& value);
 
-/// The limits of a number now: those of blending.parameter are the B-function's.
+/// The limits of a number now: those of blending.parameter are the B-function's, where it has a parameter.
 Limits range_of(const Document& document, const Parameter& parameter);
 
 }  // namespace knotwork::scene
