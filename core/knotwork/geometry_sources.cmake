@@ -1,8 +1,12 @@
 # Paths relative to core/. Explicit on purpose: a file that is not named here is not built.
 set(KNOTWORK_GEOMETRY_SOURCES
+  knotwork/basis/bernstein.cpp
   knotwork/basis/blending_function.cpp
+  knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/curve/bezier_curve.cpp
+  knotwork/curve/bspline_curve.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
@@ -12,8 +16,13 @@ set(KNOTWORK_GEOMETRY_SOURCES
 )
 set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/result.h
+  knotwork/basis/bernstein.h
   knotwork/basis/blending_function.h
+  knotwork/basis/bspline_basis.h
   knotwork/basis/knot_vector.h
+  knotwork/curve/bezier_curve.h
+  knotwork/curve/bspline_curve.h
+  knotwork/curve/point_triangle.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
@@ -26,4 +35,5 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/curve/point_check.h
 )

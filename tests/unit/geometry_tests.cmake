@@ -1,8 +1,12 @@
 # Paths relative to tests/. unit/main.cpp holds the one main() and is not listed.
 set(KNOTWORK_GEOMETRY_TESTS
+  unit/bernstein_test.cpp
+  unit/bezier_curve_test.cpp
   unit/blending_function_test.cpp
   unit/blending_surface_test.cpp
   unit/blending_tables_test.cpp
+  unit/bspline_basis_test.cpp
+  unit/bspline_curve_test.cpp
   unit/knot_vector_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp

@@ -119,6 +119,10 @@ double KnotVector::reduced(double t) const {
   return wrapped < end() ? wrapped : start();
 }
 
+int KnotVector::multiplicity(double t) const {
+  return static_cast<int>(std::count(knots_.begin(), knots_.end(), reduced(t)));
+}
+
 int KnotVector::span(double t) const {
   assert(t >= start() && t <= end());
   const auto first = knots_.begin() + degree_;

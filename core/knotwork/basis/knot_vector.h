@@ -52,6 +52,10 @@ class KnotVector {
   /// The largest span index: n-1 open, n+p-1 closed.
   int last_span() const { return closed() ? count_ + degree_ - 1 : count_ - 1; }
 
+  /// How often t, brought into the domain, stands among the knots; 0 between knots. A spline of degree p is C^(p-m) at a
+  /// knot of multiplicity m. t must be finite.
+  int multiplicity(double t) const;
+
   /// t brought into the domain: closed wraps into [start, end), open clamps to [start, end]. t must be finite.
   double reduced(double t) const;
 
