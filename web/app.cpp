@@ -199,7 +199,6 @@ bool App::undo() {
 
 /// Back or forth in the history. Where that has moved the camera, a whole document has come back: nothing is eased.
 void App::after_travel(const scene::Camera& camera_before) {
-  camera_transition_.reset();
   if (!(document_.camera == camera_before)) {
     snap();
     camera_is_ours_ = false;

@@ -43,6 +43,7 @@ int compare(const BSplineCurve& curve, const nlohmann::json& points) {
 BSplineCurve random_curve(int degree, int count, Topology topology, std::mt19937& random) {
   std::uniform_real_distribution<double> coordinate(-5, 5);
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
   if (topology == Topology::closed)
     return BSplineCurve::make(KnotVector::uniform(degree, count, topology, 2, 2 + count).value(), std::move(points))
@@ -50,6 +51,7 @@ BSplineCurve random_curve(int degree, int count, Topology topology, std::mt19937
   std::uniform_int_distribution<int> place(1, 4);
   for (;;) {
     std::vector<double> inner;
+    inner.reserve(static_cast<std::size_t>(count - degree - 1));
     for (int i = 0; i < count - degree - 1; ++i) inner.push_back(place(random) + (place(random) == 1 ? 0.5 : 0));
     std::sort(inner.begin(), inner.end());
     std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
@@ -233,6 +235,7 @@ TEST_CASE("a batch is the single evaluations, sorted or not") {
   const BSplineCurve curve = random_curve(4, 12, Topology::open, random);
   std::vector<double> t;
   std::uniform_real_distribution<double> place(-1, 7);
+  t.reserve(60);
   for (int k = 0; k < 60; ++k) t.push_back(place(random));
   for (const int order : {0, 2, 6}) {
     const std::size_t values = static_cast<std::size_t>(order) + 1;
