@@ -31,11 +31,6 @@ constexpr glm::dvec2 nowhere{-1e9, -1e9};
 constexpr double handle_neighbourhood = 60;  // CSS pixels; farther handles cannot be meant
 constexpr double phone_width = 520;          // CSS pixels; a narrower stage has a drawer
 
-double ease(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * t * (t * (6 * t - 15) + 10);
-}
-
 double milliseconds() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
@@ -456,6 +451,13 @@ bool App::frame(double now) {
   stats_.frame_ms = milliseconds() - start;
   stats_.evaluate_ms = std::exchange(evaluating_ms_, 0);
   return running_ = wants_frame();
+}
+
+void App::draw_still() {
+  if (!context_ready_) return;
+  update_geometry();
+  upload();
+  renderer_.draw(picture());
 }
 
 void App::run_interface(double seconds) {

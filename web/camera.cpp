@@ -147,10 +147,15 @@ scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor
   return limited(zoomed, camera);
 }
 
+double ease(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * t * (t * (6 * t - 15) + 10);
+}
+
 scene::Camera between(const scene::Camera& from, const scene::Camera& to, double share) {
   if (share <= 0) return from;
   if (share >= 1) return to;
-  const double s = share * share * share * (10 + share * (6 * share - 15));
+  const double s = ease(share);
   scene::Camera camera;
   camera.target = (1 - s) * from.target + s * to.target;
   camera.distance = from.distance * std::pow(to.distance / from.distance, s);

@@ -59,6 +59,8 @@ scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& vi
 /// factor > 1 comes closer; the point under `anchor` at the target's depth stays there.
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view);
 
+/// 6x^5 - 15x^4 + 10x^3, x limited to [0,1]: what moves by itself starts and stops with it.
+double ease(double x);
 /// Between two cameras, eased; share in [0,1]. Turns the shorter way round.
 scene::Camera between(const scene::Camera& from, const scene::Camera& to, double share);
 

@@ -5,11 +5,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "web/gizmo.h"
+
 namespace knotwork::web {
 namespace {
 
 constexpr double widest_margin = 34;     // CSS pixels to the stage's edge
-constexpr double clearance = 10;         // CSS pixels to an obstacle
+constexpr double least_clearance = 10;   // CSS pixels to an obstacle
+constexpr double roomy_stage = 500;      // its shorter side; from here on a gizmo at the rim keeps clear as well
 constexpr int places = 11;               // tried in each direction
 constexpr double smallest_share = 0.34;  // of the stage's shorter side; below it obstacles are ignored
 
@@ -32,6 +35,7 @@ struct Fit {
     const double margin = std::min(widest_margin, 0.06 * std::min(stage.width, stage.height));
     if (screen.x < margin || screen.y < margin || screen.x > stage.width - margin || screen.y > stage.height - margin)
       return false;
+    const double clearance = std::min(stage.width, stage.height) < roomy_stage ? least_clearance : gizmo_radius;
     return std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& rect) {
       return screen.x > rect[0] - clearance && screen.x < rect[0] + rect[2] + clearance &&
              screen.y > rect[1] - clearance && screen.y < rect[1] + rect[3] + clearance;

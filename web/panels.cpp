@@ -20,7 +20,7 @@ namespace words {
 constexpr std::string_view title = "Blending surface", controls = "Controls", more = "Display, sampling, motion",
                            undo = "Undo", redo = "Redo", reset = "Put all patches back",
                            frame = "Show the whole surface", domain = "domain", knots = "knots", patches = "patches",
-                           locals = "locals", selected = "patch";
+                           locals = "locals", selected = "patch", pointed = "under the pointer", tapped = "at the tap";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
@@ -647,10 +647,10 @@ void clock(Frame& frame) {
 void probe(Frame& frame) {
   PanelState& state = frame.state;
   const Theme& theme = frame.input.theme;
-  const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch ? 56 : 22;
+  const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch && !state.drawer_open ? 56 : 22;
   if (frame.input.probe) state.last_probe = frame.input.probe;
   const float share = smooth(eased(frame.ui, state.probe_share, frame.input.probe ? 1.0F : 0.0F));
-  begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 120},
+  begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 140},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = top + 8;
@@ -660,10 +660,16 @@ void probe(Frame& frame) {
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
     text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
          std::string(words::selected) + " " + std::to_string(patch.first) + ", " + std::to_string(patch.second));
-    y += 22;
+    y += 26;
   }
   if (share > 0 && state.last_probe) {
     const Probe& point = *state.last_probe;
+    // What is selected and what is pointed at are two things.
+    if (frame.input.selected) {
+      text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft, share),
+           frame.ui.touch ? words::tapped : words::pointed);
+      y += 18;
+    }
     const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
       text(frame.ui, face, {left, y}, colour(ink, share), first);
       text(frame.ui, face, {left + 74, y}, colour(ink, share), second);
@@ -732,9 +738,12 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   probe(frame);
   if (!input.phone || state.drawer_share < 1) clock(frame);
   if (input.phone) {
-    begin(frame, "tools", {8, 8, 168, 44}, ImGuiWindowFlags_NoScrollbar);
-    tools(frame, 8, 30);
-    ImGui::End();
+    // Over an open drawer the little room there is belongs to the figure.
+    if (!state.drawer_open) {
+      begin(frame, "tools", {8, 8, 168, 44}, ImGuiWindowFlags_NoScrollbar);
+      tools(frame, 8, 30);
+      ImGui::End();
+    }
     drawer(frame);
   } else {
     card(frame);

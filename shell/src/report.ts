@@ -117,17 +117,16 @@ export class ReportTable {
   }
 }
 
-/// "a × b", which breaks before the cross where the column is narrow.
+/// "a × b"; a narrow table has the one above the other instead, without the cross.
 function pairCell(row: HTMLTableRowElement): HTMLElement {
   const cell = row.insertCell();
   cell.className = 'pair';
-  cell.innerHTML = '<span></span> <span></span>';
+  cell.innerHTML = '<span></span><i> × </i><span></span>';
   return cell;
 }
 
 function fill(cell: HTMLElement, u: string | number, v: string | number): void {
   const [first, second] = cell.querySelectorAll('span');
-  const [a, b] = [`${u}`, `×\u00a0${v}`];
-  if (first!.textContent !== a) first!.textContent = a;
-  if (second!.textContent !== b) second!.textContent = b;
+  if (first!.textContent !== `${u}`) first!.textContent = `${u}`;
+  if (second!.textContent !== `${v}`) second!.textContent = `${v}`;
 }

@@ -62,7 +62,7 @@ export class Stage {
   private copy(still: HTMLCanvasElement): void {
     if (!this.present) return;
     this.bridge.scheme(false);
-    this.draw(performance.now());
+    this.bridge.still();
     still.width = this.canvas.width;
     still.height = this.canvas.height;
     this.canvas.after(still);

@@ -60,6 +60,8 @@ const states = {
     await clickWidget(page, 'blending.function');
   },
   prose: async (page) => page.evaluate(() => document.querySelectorAll('h2')[3].scrollIntoView()),
+  table: async (page) => page.locator('[data-report]').scrollIntoViewIfNeeded(),
+  controls: async (page) => page.locator('[data-parameter="motion.rotation"]').scrollIntoViewIfNeeded(),
   settings: async (page) => {
     await page.evaluate(() => document.querySelectorAll('details').forEach((details) => (details.open = true)));
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));

@@ -7,7 +7,7 @@ import { pageTest } from './page_test.mjs';
 import { launch, openPage, plainHost, siteAddress } from './site.mjs';
 import {
   call, difference, distance, distinctColours, documentOf, drag, frontHandle, handlesOf, luminance, picture, pixel,
-  plus, settled, stageRect, statsOf, until,
+  plus, settled, stageRect, statsOf, until, widget,
 } from './stage.mjs';
 
 const axeSource = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -344,21 +344,25 @@ pageTest('a real selection of prose is possible, and print has the prose and a s
   assert.ok(width > 500, 'the prose is narrow on paper');
   await page.emulateMedia({ media: 'screen', colorScheme: 'dark' });
 
-  await page.evaluate(() => {
+  const stage = await stageRect(page);
+  const { centre } = await widget(page, 'play');
+  const button = [(centre[0] - stage.x) / stage.width, (centre[1] - stage.y) / stage.height];
+  await page.evaluate((button) => {
     addEventListener('beforeprint', () => {
       const still = document.querySelector('.still');
-      const { data } = still.getContext('2d').getImageData(0, 0, still.width, still.height);
-      const at = (share) => [...data.slice(4 * Math.floor((share * data.length) / 4)).slice(0, 3)];
+      const context = still.getContext('2d');
+      const { data } = context.getImageData(0, 0, still.width, still.height);
+      const at = ([x, y]) => [...context.getImageData(x * still.width, y * still.height, 1, 1).data.slice(0, 3)];
       const hues = new Set();
       for (let k = 0; k < data.length; k += 64) hues.add((data[k] >> 5) * 64 + (data[k + 1] >> 5) * 8 + (data[k + 2] >> 5));
-      window.printed = { size: [still.width, still.height], corner: at(0), hues: hues.size };
+      window.printed = { size: [still.width, still.height], corner: at([0, 0]), button: at(button), hues: hues.size };
     });
-  });
+  }, button);
   await page.pdf();
   const printed = await page.evaluate(() => window.printed);
-  const stage = await stageRect(page);
   assert.deepEqual(printed.size, [stage.width, stage.height].map((length) => Math.round(length)));
   assert.ok(printed.corner.every((part) => part > 200), `the still is dark: ${printed.corner}`);
+  assert.ok(printed.button.every((part) => part > 120), `the play button is printed: ${printed.button}`);
   assert.ok(printed.hues > 40, `the still shows ${printed.hues} colours`);
   assert.equal(await page.locator('.still').count(), 0);
 });

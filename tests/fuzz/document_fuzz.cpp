@@ -8,7 +8,7 @@
 
 #include "fuzz/document_properties.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {  // NOLINT: libFuzzer's name
   bool accepted = false;
   if (!knotwork::test::text_is_handled({reinterpret_cast<const char*>(bytes), size}, accepted)) std::abort();
   return 0;

@@ -22,5 +22,4 @@ if(EMSCRIPTEN)
   add_link_options("--embed-file=${scene_folder}/document.schema.json@/scene/document.schema.json")
   set(scene_folder /scene)
 endif()
-set_source_files_properties(unit/document_schema_test.cpp PROPERTIES
-  COMPILE_DEFINITIONS "KNOTWORK_SCENE_DIR=\"${scene_folder}\"")
+add_compile_definitions("KNOTWORK_SCENE_DIR=\"${scene_folder}\"")

@@ -56,8 +56,10 @@ void main() {
   float sky = 0.5 + 0.5 * normal.z;
   vec3 light = vec3(1.00, 0.98, 0.95) * (0.74 * key * key + 0.20 * key) + vec3(0.90, 0.95, 1.0) * (0.16 * fill) +
                mix(vec3(0.95, 0.90, 0.85) * 0.62, vec3(0.97, 0.985, 1.0), sky) * u_ambient;
-  vec3 half_key = normalize(u_key_light + to_eye);
+  // What is flat and faces the reader has nowhere to catch the key: a little light comes from where the reader is.
   float facing = max(dot(normal, to_eye), 0.0);
+  light += 0.2 * facing * facing;
+  vec3 half_key = normalize(u_key_light + to_eye);
   float fresnel = 0.04 + 0.6 * pow(1.0 - facing, 4.0);
   float glance = max(dot(normal, half_key), 0.0);
   float gloss = 0.30 * pow(glance, 90.0) + 0.10 * pow(glance, 18.0);
