@@ -1,6 +1,7 @@
 // An entry for libFuzzer; the same properties run without it in document_mutation_test.cpp. With Clang:
-//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -Icore -Itests -isystem <eigen> \
-//     tests/fuzz/document_fuzz.cpp core/knotwork/*/*.cpp -o document_fuzz && ./document_fuzz tests/data/documents
+//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -Icore -Itests -isystem <eigen>
+//     tests/fuzz/document_fuzz.cpp core/knotwork/*/*.cpp -o document_fuzz
+//   ./document_fuzz tests/data/documents
 
 #include <cstddef>
 #include <cstdint>

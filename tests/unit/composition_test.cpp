@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "web/gizmo.h"
+
 namespace knotwork::web::composition_test {
 namespace {
 
@@ -29,9 +31,10 @@ bool inside(const Rect& rect, glm::dvec3 at) {
   return at.x > rect[0] && at.x < rect[0] + rect[2] && at.y > rect[1] && at.y < rect[1] + rect[3];
 }
 
-/// The width of the picture in CSS pixels; checks on the way that it keeps clear of edges and obstacles.
+/// The width of the picture in CSS pixels; checks on the way that it keeps clear of the edges, and of the obstacles by
+/// `clearance`.
 double checked_width(const Composition& composition, const std::vector<glm::dvec3>& points,
-                     const std::vector<Rect>& obstacles) {
+                     const std::vector<Rect>& obstacles, double clearance = 0) {
   const View view = make_view(composition.camera, composition.viewport);
   double low = 1e9, high = -1e9;
   bool all_on_stage = true, all_clear = true;
@@ -39,7 +42,10 @@ double checked_width(const Composition& composition, const std::vector<glm::dvec
     const std::optional<glm::dvec3> at = view.project(point);
     REQUIRE(at.has_value());
     all_on_stage = all_on_stage && inside({0, 0, view.viewport.width, view.viewport.height}, *at);
-    for (const Rect& obstacle : obstacles) all_clear = all_clear && !inside(obstacle, *at);
+    for (const auto& [x, y, width, height] : obstacles) {
+      const Rect kept{x - clearance, y - clearance, width + 2 * clearance, height + 2 * clearance};
+      all_clear = all_clear && !inside(kept, *at);
+    }
     low = std::min(low, at->x);
     high = std::max(high, at->x);
   }
@@ -57,16 +63,17 @@ TEST_CASE("a picture fills what panel and clock leave free") {
     double width, height;
     std::vector<Rect> obstacles;
     double least_width;
+    double clearance;  // a gizmo's radius where there is room for it
   };
-  const std::vector<Stage> stages{{806, 900, {{510, 20, 276, 410}, {0, 820, 806, 80}}, 560},
-                                  {574, 768, {{300, 14, 260, 340}, {0, 700, 574, 68}}, 380},
-                                  {390, 388, {{270, 10, 110, 40}, {0, 320, 390, 68}}, 260},
-                                  {1600, 500, {{1300, 20, 276, 410}, {0, 430, 1600, 70}}, 560}};
+  const std::vector<Stage> stages{{806, 900, {{510, 20, 276, 410}, {0, 820, 806, 80}}, 500, gizmo_radius},
+                                  {574, 768, {{300, 14, 260, 340}, {0, 700, 574, 68}}, 325, gizmo_radius},
+                                  {390, 388, {{270, 10, 110, 40}, {0, 320, 390, 68}}, 260, 8},
+                                  {1600, 500, {{1300, 20, 276, 410}, {0, 430, 1600, 70}}, 500, gizmo_radius}};
   for (const Stage& stage : stages) {
     CAPTURE(stage.width);
     const Composition composition =
         compose(direction, points, {.width = stage.width, .height = stage.height}, stage.obstacles);
-    CHECK(checked_width(composition, points, stage.obstacles) > stage.least_width);
+    CHECK(checked_width(composition, points, stage.obstacles, stage.clearance) > stage.least_width);
     CHECK(composition.camera.azimuth == direction.azimuth);
     CHECK(composition.camera.elevation == direction.elevation);
   }
