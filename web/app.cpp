@@ -423,7 +423,8 @@ void App::frame_all(bool at_once) {
 // --- Frame ---------------------------------------------------------------------------------------------------------
 
 bool App::frame(double now) {
-  if (!context_ready_ || pending_frames_ <= 0) return running_ = false;
+  const bool has_letters = !regular_face_.empty() && !bold_face_.empty();
+  if (!context_ready_ || !has_letters || pending_frames_ <= 0) return running_ = false;
   const double start = milliseconds();
   if (!running_) {
     last_frame_ = now - usual_frame_ms;  // idle until now: no leap of the clock

@@ -22,8 +22,6 @@ ImFont* add_face(const std::vector<std::uint8_t>& bytes, float height, float pix
   config.OversampleH = 2;
   config.OversampleV = 1;
   config.PixelSnapH = false;
-  if (bytes.empty()) return atlas.AddFontDefault(&config);
-
   void* copy = ImGui::MemAlloc(bytes.size());
   std::memcpy(copy, bytes.data(), bytes.size());
   // The atlas owns the copy: newer releases of ImGui rasterise glyphs when they are first drawn.

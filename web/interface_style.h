@@ -19,8 +19,7 @@ struct InterfaceFonts {
 /// Heights of the faces as ImGui counts them, from ascender to descender, CSS pixels: Inter at 13 and 11.5 px.
 inline constexpr float text_height = 16, small_text_height = 14;
 
-/// Fills ImGui's font atlas: TrueType bytes from the page (empty: ImGui's own face), sharp at the pixel ratio, with
-/// figures of one width. Sizes are CSS pixels: glyphs are rasterised larger by the pixel ratio, and ImGui's global font
+/// Fills ImGui's font atlas: TrueType bytes from the page, sharp at the pixel ratio, with figures of one width. Sizes are CSS pixels: glyphs are rasterised larger by the pixel ratio, and ImGui's global font
 /// scale takes it back. The caller makes the backend take up the new atlas.
 InterfaceFonts load_interface_fonts(const std::vector<std::uint8_t>& regular, const std::vector<std::uint8_t>& bold,
                                     double pixel_ratio);

@@ -40,13 +40,9 @@ export async function loadModule(
   });
 }
 
-/// The two typefaces of the stage; it can do without them.
-export async function loadStageFonts(): Promise<[regular: Uint8Array, semibold: Uint8Array] | null> {
-  const [regular, semibold] = await Promise.all([
-    fetchBytes(regularUrl),
-    fetchBytes(semiboldUrl),
-  ]);
-  return regular && semibold ? [regular, semibold] : null;
+/// The two typefaces of the stage.
+export async function loadStageFonts(): Promise<[regular: Uint8Array, semibold: Uint8Array]> {
+  return Promise.all([fetchBytes(regularUrl), fetchBytes(semiboldUrl)]);
 }
 
 async function fetchScript(): Promise<typeof import('@module/knotwork.js')> {
@@ -75,11 +71,12 @@ async function compile(onShare: (share: number) => void): Promise<WebAssembly.Mo
   }
 }
 
-async function fetchBytes(url: string): Promise<Uint8Array | null> {
+async function fetchBytes(url: string): Promise<Uint8Array> {
   try {
     const response = await fetch(url);
-    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
-  } catch {
-    return null;
+    if (response.ok) return new Uint8Array(await response.arrayBuffer());
+    throw new Error(`${response.status}`);
+  } catch (cause) {
+    throw new LoadError('download', { cause });
   }
 }

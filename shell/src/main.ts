@@ -34,15 +34,13 @@ async function begin(): Promise<void> {
   }
 }
 
-function start(bridge: Bridge, fonts: [Uint8Array, Uint8Array] | null): void {
+function start(bridge: Bridge, fonts: [regular: Uint8Array, semibold: Uint8Array]): void {
   if (!bridge.start('#canvas')) {
     fail('webgl', new Error('WebGL2 is not available'));
     return;
   }
-  if (fonts) {
-    bridge.font(fonts[0], 400);
-    bridge.font(fonts[1], 600);
-  }
+  bridge.font(fonts[0], 400);
+  bridge.font(fonts[1], 600);
   page = new Page(bridge, canvas);
   stage = new Stage(canvas, bridge, (now) => page?.sync(now), (error) => fail('failed', error));
   listen(canvas, bridge);

@@ -150,23 +150,24 @@ pageTest(
   },
 );
 
-pageTest(
-  'a download that breaks off is said, and trying again brings the figure',
-  {
-    wait: false,
-    expected: [/net::ERR_FAILED/],
-    before: (page) => page.route(/\.wasm$/, (route) => route.abort('failed')),
-  },
-  async (page) => {
-    const alert = await assertTrouble(page, /arrive|download|connection/i);
-    await page.unroute(/\.wasm$/);
-    await alert.getByRole('button').click();
-    await page.evaluate(() => window.knotwork.ready);
-    await settled(page);
-    assert.equal(await alert.isVisible(), false);
-    assert.ok((await handlesOf(page)).length > 0);
-  },
-);
+for (const [what, path] of [['module', /\.wasm$/], ['typeface', /\.ttf$/]])
+  pageTest(
+    `a download of the ${what} that breaks off is said, and trying again brings the figure`,
+    {
+      wait: false,
+      expected: [/net::ERR_FAILED/],
+      before: (page) => page.route(path, (route) => route.abort('failed')),
+    },
+    async (page) => {
+      const alert = await assertTrouble(page, /arrive|download|connection/i);
+      await page.unroute(path);
+      await alert.getByRole('button').click();
+      await page.evaluate(() => window.knotwork.ready);
+      await settled(page);
+      assert.equal(await alert.isVisible(), false);
+      assert.ok((await handlesOf(page)).length > 0);
+    },
+  );
 
 pageTest(
   'a server that has lost the module is said too',

@@ -16,9 +16,9 @@ async function reportRow(page) {
   return (await row.locator('th, td').allInnerTexts()).map((text) => text.replaceAll(/\s+/g, ' ').trim());
 }
 
-/// [a, b] of "a × b".
+/// [a, b] of "a × b", numbers or intervals; in a narrow table a stands above b.
 function pair(text) {
-  const match = /^(.+?) × (.+)$/.exec(text);
+  const match = /^(\d+|\[.+?[)\]]) (?:× )?(\d+|\[.+[)\]])$/.exec(text);
   assert.ok(match, `the table says ${text}`);
   return match.slice(1);
 }

@@ -17,22 +17,33 @@ if(NOT imgui_sources)
   endif()
 endif()
 
+# The page brings its own typefaces. ImGui's built-in one is 12 KB that do not compress, and 1.90 has no switch against
+# it: its data are left out of a copy. (1.92 has IMGUI_DISABLE_DEFAULT_FONT.)
+set(imgui_draw "${CMAKE_CURRENT_BINARY_DIR}/generated/imgui_draw.cpp")
+file(READ "${imgui_sources}/imgui_draw.cpp" imgui_draw_text)
+string(FIND "${imgui_draw_text}" "static const char proggy_clean_ttf_compressed_data_base85[" font_begin)
+string(FIND "${imgui_draw_text}" "static const char* GetDefaultCompressedFontDataTTFBase85()\n{" font_end)
+if(font_begin GREATER 0 AND font_end GREATER font_begin)
+  string(SUBSTRING "${imgui_draw_text}" 0 ${font_begin} before_font)
+  string(SUBSTRING "${imgui_draw_text}" ${font_end} -1 after_font)
+  set(imgui_draw_text
+      "${before_font}static const char proggy_clean_ttf_compressed_data_base85[] = \"\";\n\n${after_font}")
+endif()
+file(CONFIGURE OUTPUT "${imgui_draw}" CONTENT "${imgui_draw_text}" @ONLY)
+
 add_library(knotwork_imgui STATIC
   "${imgui_sources}/imgui.cpp"
-  "${imgui_sources}/imgui_draw.cpp"
+  "${imgui_draw}"
   "${imgui_sources}/imgui_tables.cpp"
   "${imgui_sources}/imgui_widgets.cpp"
   "${imgui_sources}/backends/imgui_impl_opengl3.cpp")
 set_target_properties(knotwork_imgui PROPERTIES UNITY_BUILD OFF)  # its files are not written for it
 target_include_directories(knotwork_imgui SYSTEM PUBLIC "${imgui_sources}" "${imgui_sources}/backends")
 target_compile_features(knotwork_imgui PUBLIC cxx_std_20)
+target_include_directories(knotwork_imgui PUBLIC "${PROJECT_SOURCE_DIR}")
 target_compile_definitions(knotwork_imgui PUBLIC
-  IMGUI_IMPL_OPENGL_ES3                # WebGL2 is OpenGL ES 3
-  IMGUI_DISABLE_OBSOLETE_FUNCTIONS     # nothing here uses old names
-  IMGUI_DISABLE_DEMO_WINDOWS           # the rest is weight in the download:
-  IMGUI_DISABLE_DEBUG_TOOLS
-  IMGUI_DISABLE_FILE_FUNCTIONS         # no file system in the page
-  IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
+  IMGUI_IMPL_OPENGL_ES3                         # WebGL2 is OpenGL ES 3
+  IMGUI_USER_CONFIG=\"web/imgui_config.h\")
 knotwork_small(knotwork_imgui)
 knotwork_floating_point(knotwork_imgui)
 knotwork_webassembly(knotwork_imgui)
