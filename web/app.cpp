@@ -15,6 +15,7 @@
 #include "knotwork/scene/palette.h"
 #include "knotwork/scene/picking.h"
 #include "web/composition.h"
+#include "web/curve_ornaments.h"
 #include "web/stage_ornaments.h"
 #include "web/vectors.h"
 
@@ -50,6 +51,14 @@ std::vector<glm::dvec3> outline(const BlendingSurface& surface) {
   std::vector<glm::dvec3> points;
   points.reserve(jets.size());
   for (const SurfaceJet& jet : jets) points.push_back(to_glm(jet.s));
+  return points;
+}
+
+/// Its control points and the curve itself, which without clamped ends may be elsewhere.
+std::vector<glm::dvec3> outline(const scene::CurveFigure& figure) {
+  std::vector<glm::dvec3> points;
+  for (const Eigen::Vector3d& point : figure.curve.points()) points.push_back(to_glm(point));
+  for (std::size_t k = 0; k < figure.samples.size(); k += 8) points.push_back(to_glm(figure.samples[k].point));
   return points;
 }
 
@@ -118,17 +127,21 @@ void App::request_frames(int count) { pending_frames_ = std::max(pending_frames_
 
 void App::changed() {
   ++revision_;
+  request_frames(2);
+  const scene::Shape& shape = scene::stage_shape(document_);
+  if (interaction_.selected && !has_handle(shape, *interaction_.selected)) interaction_.selected.reset();
+  if (interaction_.hovered && !has_handle(shape, *interaction_.hovered)) interaction_.hovered.reset();
+  interaction_.insertion.reset();
+  if (shows_surface() != geometry_.surface.has_value()) interaction_.probe.reset();
+  if (!shows_surface()) return;
+
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   if (scene::model_kind(object.model) != roll_.model) {
     snap();
     recompose_ = recompose_ || camera_is_ours_;
   }
-  if (interaction_.selected &&
-      (interaction_.selected->first >= object.locals_u || interaction_.selected->second >= object.locals_v))
-    interaction_.selected.reset();
   // Only the sheet rolls. A fixed model has no shape on the way, least of all one that cannot close.
   if (scene::model_kind(object.model) != scene::ModelKind::sheet) roll_.from = roll_.shown = scene::rest_roll(object);
-  request_frames(2);
 }
 
 void App::say(std::string notice) {
@@ -164,7 +177,10 @@ Status App::open_chapter(std::string_view id) {
   const scene::Chapter* chapter = scene::find_chapter(id);
   if (chapter == nullptr) return Error{"", "There is no chapter \"" + std::string(id) + "\"."};
   Status status = load(chapter->start_document());
-  if (status && framed_once_) frame_all(true);
+  if (status && framed_once_) {
+    camera_is_ours_ = recompose_ = true;
+    compose_at_once_ = true;
+  }
   return status;
 }
 
@@ -211,17 +227,22 @@ bool App::redo() {
   return true;
 }
 
-void App::select(std::optional<scene::PatchIndex> patch) {
-  apply_outcome(web::select(interaction_, stage(nowhere), patch));
+void App::select(std::optional<HandleIndex> handle) {
+  apply_outcome(web::select(interaction_, stage(nowhere), handle));
   changed();
 }
 
 /// No transition: what is shown is what the document says.
 void App::snap() {
-  roll_.from = roll_.to = roll_.shown = scene::rest_roll(scene::blending_surface(document_));
-  roll_.active = false;
-  roll_.model = scene::model_kind(scene::blending_surface(document_).model);
   camera_transition_.reset();
+  roll_.active = false;
+  if (!shows_surface()) return;
+  roll_.from = roll_.to = roll_.shown = scene::rest_roll(scene::blending_surface(document_));
+  roll_.model = scene::model_kind(scene::blending_surface(document_).model);
+}
+
+bool App::shows_surface() const {
+  return std::holds_alternative<scene::BlendingSurfaceObject>(scene::stage_shape(document_));
 }
 
 BlendingSurface App::surface_at_rest() const {
@@ -230,7 +251,21 @@ BlendingSurface App::surface_at_rest() const {
 
 // --- Geometry ------------------------------------------------------------------------------------------------------
 
+void App::update_curve() {
+  const scene::Shape& shape = scene::stage_shape(document_);
+  if (geometry_.curve && shape == geometry_.curve_made_from) return;
+  const double start = milliseconds();
+  geometry_.surface.reset();
+  geometry_.net.reset();
+  geometry_.curve.emplace(shape);
+  geometry_.curve_made_from = shape;
+  handles_.clear();
+  evaluating_ms_ += milliseconds() - start;
+}
+
 void App::update_geometry() {
+  if (!shows_surface()) return update_curve();
+  geometry_.curve.reset();
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   const bool same_shape = geometry_.surface && same(roll_.shown, geometry_.roll) && same_static_part(object);
   if (same_shape && object.edits == geometry_.object.edits && document_.animation == geometry_.animation) return;
@@ -261,6 +296,7 @@ bool App::same_static_part(const scene::BlendingSurfaceObject& object) const {
 }
 
 void App::upload() {
+  if (!geometry_.surface) return;
   const double start = milliseconds();
   const BlendingSurface& surface = *geometry_.surface;
   const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
@@ -291,6 +327,7 @@ void App::upload() {
 
 /// The floor lies a little under the lowest point; it does not bob with a playing animation or a held patch.
 void App::update_floor(double seconds) {
+  if (!geometry_.surface) return;
   const bool steady = !document_.animation.playing && interaction_.drag == InteractionState::Drag::none;
   if (steady || floor_.half_size <= 0) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
@@ -316,7 +353,13 @@ void App::update_floor(double seconds) {
 const std::vector<Handle>& App::handles() {
   update_geometry();  // a script may ask between a command and its frame
   const View now = view();
-  if (handles_.empty()) {
+  if (handles_.empty() && geometry_.curve) {
+    int index = 0;
+    for (const Eigen::Vector3d& point : geometry_.curve->curve.points())
+      handles_.push_back({{index++, 0}, to_glm(point), {}, false});
+    // Drawn and found after the points: where both are, a point is meant.
+    handles_.push_back({parameter_handle, to_glm(geometry_.curve->construction.back().front()), {}, false});
+  } else if (handles_.empty()) {
     const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
     handles_.reserve(static_cast<std::size_t>(object.locals_u) * static_cast<std::size_t>(object.locals_v));
     for (int i = 0; i < object.locals_u; ++i)
@@ -330,6 +373,7 @@ const std::vector<Handle>& App::handles() {
 // --- Time ----------------------------------------------------------------------------------------------------------
 
 void App::advance_roll(double now) {
+  if (!shows_surface()) return;
   const scene::Roll rest = scene::rest_roll(scene::blending_surface(document_));
   if (!same(rest, roll_.to)) {
     roll_.from = roll_.shown;
@@ -377,10 +421,15 @@ void App::advance(double now) {
   if (!notice_.empty()) request_frames(1);
 }
 
-/// The largest picture of the surface that panel and clock leave room for, reached over `duration` milliseconds.
-void App::compose_for(const BlendingSurface& surface, double duration) {
-  const std::vector<glm::dvec3> points = outline(surface);
-  const Composition composition = compose(document_.camera, points, viewport_, panel_output_.regions);
+std::vector<glm::dvec3> App::outline_now() const {
+  return geometry_.surface ? outline(*geometry_.surface) : outline(*geometry_.curve);
+}
+
+/// The largest picture of the points that panel and clock leave room for, reached over `duration` milliseconds.
+void App::compose_for(const std::vector<glm::dvec3>& points, double duration) {
+  std::vector<std::array<double, 4>> obstacles = panel_output_.regions;
+  obstacles.insert(obstacles.end(), panel_output_.readouts.begin(), panel_output_.readouts.end());
+  const Composition composition = compose(document_.camera, points, viewport_, obstacles);
   const Viewport& to = composition.viewport;
   camera_transition_ = CameraTransition{.from = document_.camera,
                                         .to = composition.camera,
@@ -411,13 +460,13 @@ void App::make_room_for(const BlendingSurface& next) {
   };
   const bool ours = camera_is_ours_;
   if (!ours && (in_view(next) || !geometry_.surface || !in_view(*geometry_.surface))) return;
-  compose_for(next, roll_ms);
+  compose_for(outline(next), roll_ms);
   camera_is_ours_ = ours;
 }
 
-void App::frame_all(bool at_once) {
-  if (!geometry_.surface || at_once) update_geometry();
-  compose_for(*geometry_.surface, at_once ? 0 : camera_ms);
+void App::frame_all() {
+  update_geometry();
+  compose_for(outline_now(), camera_ms);
 }
 
 // --- Frame ---------------------------------------------------------------------------------------------------------
@@ -475,15 +524,18 @@ void App::run_interface(double seconds) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   panel_output_ = draw_panels(panel_state_, {.document = document_,
-                                             .surface = *geometry_.surface,
+                                             .surface = geometry_.surface ? &*geometry_.surface : nullptr,
+                                             .curve = geometry_.curve ? &*geometry_.curve : nullptr,
                                              .theme = theme_,
                                              .viewport = viewport_,
                                              .phone = viewport_.width < phone_width,
                                              .probe = probe(),
+                                             .curve_t = curve_probe(),
                                              .selected = interaction_.selected,
                                              .can_undo = history_.can_undo(),
                                              .can_redo = history_.can_redo(),
                                              .reduced_motion = reduced_motion_,
+                                             .labels = stage_labels(),
                                              .notice = notice_});
   ImGui::Render();
 
@@ -493,7 +545,9 @@ void App::run_interface(double seconds) {
   if (panel_output_.undo) undo();
   if (panel_output_.redo) redo();
   if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
-  if (panel_output_.frame_all) frame_all(false);
+  if (panel_output_.add_point) apply_outcome(web::key(interaction_, stage(nowhere), {true, "Insert", {}}));
+  if (panel_output_.remove_point) apply_outcome(web::key(interaction_, stage(nowhere), {true, "Delete", {}}));
+  if (panel_output_.frame_all) frame_all();
   if (panel_output_.wants_frame) request_frames(2);
   if (panel_state_.drawer_open != drawer_was_open_ || panel_state_.show_more != fold_was_open_) {
     drawer_was_open_ = panel_state_.drawer_open;
@@ -508,8 +562,9 @@ void App::place_picture() {
   recompose_ = false;
   const scene::Camera camera = document_.camera;
   const bool ours = camera_is_ours_;
-  compose_for(*geometry_.surface, framed_once_ && ours ? camera_ms : 0);
+  compose_for(outline_now(), framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
   framed_once_ = true;
+  compose_at_once_ = false;
   if (ours) return;
   (void)apply(document_, scene::SetCamera{camera});
   camera_is_ours_ = false;
@@ -531,20 +586,35 @@ Viewport App::free_viewport() const {
 
 View App::view() const { return make_view(document_.camera, free_viewport()); }
 
+std::vector<StageLabel> App::stage_labels() {
+  if (!geometry_.curve || !document_.display.handles) return {};
+  return point_labels(handles(), *geometry_.curve, view(), theme_);
+}
+
+std::optional<double> App::curve_probe() const {
+  return geometry_.curve && interaction_.probe ? std::optional(interaction_.probe->x) : std::nullopt;
+}
+
 std::optional<Probe> App::probe() const {
-  if (!interaction_.probe || roll_.active) return std::nullopt;
+  if (!interaction_.probe || !geometry_.surface || roll_.active) return std::nullopt;
   const BlendingSurface& surface = *geometry_.surface;
   return probe_at(surface, interaction_.probe->x, interaction_.probe->y);
 }
 
 Picture App::picture() {
-  const BlendingSurface& surface = *geometry_.surface;
-  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   Picture picture;
   picture.view = view();
   picture.target = to_glm(document_.camera.target);
   picture.theme = theme_;
   picture.display = document_.display;
+  if (geometry_.curve) {
+    add_curve(picture, *geometry_.curve, interaction_);
+    if (document_.display.handles) add_points(picture, handles(), interaction_);
+    return picture;
+  }
+  const BlendingSurface& surface = *geometry_.surface;
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
+  picture.surface = true;
   picture.floor = floor_;
   picture.locals_u = surface.knots_u().count();
   picture.locals_v = surface.knots_v().count();
@@ -565,7 +635,13 @@ Picture App::picture() {
 Stage App::stage(glm::dvec2 position) {
   handles();
   stage_view_ = view();
-  Stage stage{document_, *geometry_.surface, geometry_.net, stage_view_, handles_};
+  Stage stage{document_,
+              geometry_.surface ? &*geometry_.surface : nullptr,
+              geometry_.curve ? &*geometry_.curve : nullptr,
+              geometry_.net,
+              stage_view_,
+              handles_};
+  if (!stage.surface) return stage;                                     // a curve hides nothing
   if (interaction_.drag != InteractionState::Drag::none) return stage;  // nothing is looked for while a hand is busy
   for (Handle& handle : handles_) {
     if (!handle.screen || glm::distance(glm::dvec2(*handle.screen), position) > handle_neighbourhood) continue;
@@ -597,7 +673,7 @@ void App::apply_outcome(const Outcome& outcome) {
   if (outcome.undo) undo();
   if (outcome.redo) redo();
   if (outcome.toggle_play) (void)perform(scene::SetParameter{"animation.playing", !document_.animation.playing});
-  if (outcome.frame_all) frame_all(false);
+  if (outcome.frame_all) frame_all();
   if (!outcome.notice.empty()) {
     spoken_ = outcome.notice;
     ++revision_;

@@ -59,14 +59,15 @@ class App {
   void gesture(bool open);
   bool undo();
   bool redo();
-  void select(std::optional<scene::PatchIndex> patch);
+  void select(std::optional<HandleIndex> handle);
 
   const scene::Document& document() const { return document_; }
   const scene::History& history() const { return history_; }
-  /// The surface that the document means, without the rolling between two topologies.
+  bool shows_surface() const;
+  /// The surface that the document means, without the rolling between two topologies. Precondition: shows_surface().
   BlendingSurface surface_at_rest() const;
   const std::vector<Handle>& handles();
-  std::optional<scene::PatchIndex> selected() const { return interaction_.selected; }
+  std::optional<HandleIndex> selected() const { return interaction_.selected; }
   const std::vector<Widget>& widgets() const { return panel_output_.widgets; }
   /// What the page's live region should say.
   const std::string& notice() const { return spoken_; }
@@ -89,8 +90,11 @@ class App {
     Insets insets_from, insets_to;
     double start = 0, duration = 0;
   };
-  /// Geometry of the present document, rebuilt by parts: edits and clock change the maps alone.
+  /// Geometry of the present document: surface or curve. A surface is rebuilt by parts: edits and clock change the maps
+  /// alone.
   struct Geometry {
+    std::optional<scene::CurveFigure> curve;
+    scene::Shape curve_made_from;
     scene::BlendingSurfaceObject object;
     scene::Animation animation;
     scene::Roll roll{-1, -1};
@@ -102,6 +106,7 @@ class App {
   void advance(double now);
   void advance_roll(double now);
   void update_geometry();
+  void update_curve();
   bool same_static_part(const scene::BlendingSurfaceObject& object) const;
   void forget_gesture();
   void after_travel(const scene::Camera& camera_before);
@@ -113,16 +118,19 @@ class App {
   void changed();
   void request_frames(int count);
   void say(std::string notice);
+  std::vector<glm::dvec3> outline_now() const;
   void make_room_for(const BlendingSurface& next);
-  void frame_all(bool at_once);
+  void frame_all();
   void place_picture();
-  void compose_for(const BlendingSurface& surface, double duration);
+  void compose_for(const std::vector<glm::dvec3>& points, double duration);
   void snap();
   View view() const;
   Viewport free_viewport() const;
   /// What an event at `position` looks at; handles near it know whether something hides them.
   Stage stage(glm::dvec2 position);
   std::optional<Probe> probe() const;
+  std::optional<double> curve_probe() const;
+  std::vector<StageLabel> stage_labels();
   Picture picture();
   bool over_interface(glm::dvec2 position) const;
 
@@ -148,6 +156,7 @@ class App {
   Insets insets_{};             ///< the part of the stage that the picture is not centred in
   bool camera_is_ours_ = true;  ///< composed by the program; false once the reader has moved it
   bool recompose_ = false;
+  bool compose_at_once_ = false;  ///< another figure has come: the camera does not travel to it
   bool drawer_was_open_ = false, fold_was_open_ = false;
   Floor floor_;
   double floor_target_ = -1;

@@ -2,6 +2,7 @@
 
 #include <emscripten.h>
 
+#include <array>
 #include <string>
 
 #include "web/main.h"
@@ -109,8 +110,14 @@ EMSCRIPTEN_KEEPALIVE const char* knotwork_load(const char* json) {
 EMSCRIPTEN_KEEPALIVE const char* knotwork_parameters() {
   return app() == nullptr ? no_app() : give(answer_parameters(*app()));
 }
-EMSCRIPTEN_KEEPALIVE const char* knotwork_set(const char* id, const char* json_value) {
-  return app() == nullptr ? no_app() : give(answer_set(*app(), id, json_value));
+EMSCRIPTEN_KEEPALIVE const char* knotwork_set_number(const char* id, double value) {
+  return app() == nullptr ? no_app() : give(answer_set(*app(), id, value));
+}
+EMSCRIPTEN_KEEPALIVE const char* knotwork_set_choice(const char* id, const char* value) {
+  return app() == nullptr ? no_app() : give(answer_set(*app(), id, std::string(value)));
+}
+EMSCRIPTEN_KEEPALIVE const char* knotwork_set_toggle(const char* id, bool value) {
+  return app() == nullptr ? no_app() : give(answer_set(*app(), id, value));
 }
 EMSCRIPTEN_KEEPALIVE const char* knotwork_handles() {
   return app() == nullptr ? no_app() : give(answer_handles(*app()));
@@ -118,8 +125,11 @@ EMSCRIPTEN_KEEPALIVE const char* knotwork_handles() {
 EMSCRIPTEN_KEEPALIVE const char* knotwork_widgets() {
   return app() == nullptr ? no_app() : give(answer_widgets(*app()));
 }
-EMSCRIPTEN_KEEPALIVE const char* knotwork_evaluate(const char* object, const char* json_parameter, int order) {
-  return app() == nullptr ? no_app() : give(answer_evaluate(*app(), object, json_parameter, order));
+EMSCRIPTEN_KEEPALIVE const char* knotwork_evaluate_curve(const char* object, double t, int order) {
+  return app() == nullptr ? no_app() : give(answer_evaluate(*app(), object, std::array{t}, order));
+}
+EMSCRIPTEN_KEEPALIVE const char* knotwork_evaluate_surface(const char* object, double u, double v, int order) {
+  return app() == nullptr ? no_app() : give(answer_evaluate(*app(), object, std::array{u, v}, order));
 }
 EMSCRIPTEN_KEEPALIVE const char* knotwork_play(bool playing) {
   return app() == nullptr ? no_app() : give(answer_play(*app(), playing));

@@ -33,10 +33,13 @@ const char* knotwork_version();  ///< plain text, not JSON
 const char* knotwork_document();
 const char* knotwork_load(const char* json);
 const char* knotwork_parameters();
-const char* knotwork_set(const char* id, const char* json_value);
+const char* knotwork_set_number(const char* id, double value);
+const char* knotwork_set_choice(const char* id, const char* value);
+const char* knotwork_set_toggle(const char* id, bool value);
 const char* knotwork_handles();  ///< screen relative to the stage
 const char* knotwork_widgets();  ///< rect relative to the stage
-const char* knotwork_evaluate(const char* object, const char* json_parameter, int order);
+const char* knotwork_evaluate_curve(const char* object, double t, int order);
+const char* knotwork_evaluate_surface(const char* object, double u, double v, int order);
 const char* knotwork_play(bool playing);
 const char* knotwork_seek(double seconds);
 /// Commands between an opened and a closed gesture are one step of undo (a drag of a range beside the prose).

@@ -1,7 +1,6 @@
 #include "web/interaction.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -15,10 +14,10 @@ using Drag = InteractionState::Drag;
 
 // CSS pixels and milliseconds. A finger covers what it points at, so it reaches farther than a mouse.
 struct Reach {
-  double handle, gizmo, moved;
+  double handle, gizmo, moved, polygon, curve;
   double core;  ///< so near to the selected handle its gizmo's edge-on rings give way to it
 };
-constexpr Reach fine{12, 8, 3, 9}, coarse{24, 18, 6, 16};
+constexpr Reach fine{12, 8, 3, 6, 14, 9}, coarse{24, 18, 6, 0, 24, 16};
 constexpr double double_tap_time = 350, double_tap_reach = 24;
 // A second finger within this time of the first movement means that a pinch was wanted all along.
 constexpr double just_begun = 500;
@@ -37,8 +36,8 @@ bool usable(glm::dvec2 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::abs(v.x) < 1e6 && std::abs(v.y) < 1e6;
 }
 
-std::string patch_name(scene::PatchIndex patch) {
-  return "Patch " + std::to_string(patch.first) + ", " + std::to_string(patch.second);
+std::string name_of(const Stage& stage, HandleIndex index) {
+  return handle_name(scene::stage_shape(stage.document), index);
 }
 
 const char* deed(const InteractionState& state) {
@@ -46,20 +45,7 @@ const char* deed(const InteractionState& state) {
   return turns(state.drag_part) ? " turned" : " scaled";
 }
 
-const scene::BlendingSurfaceObject& object(const Stage& stage) { return scene::blending_surface(stage.document); }
-
-PatchScene patch_scene(const Stage& stage) {
-  return {object(stage), stage.document.animation, stage.surface, stage.view};
-}
-
-/// In the document and, should that be a frame ahead, on the stage.
-bool exists(const Stage& stage, scene::PatchIndex patch) {
-  const auto& [i, j] = patch;
-  return i >= 0 && j >= 0 && i < std::min(object(stage).locals_u, stage.surface.knots_u().count()) &&
-         j < std::min(object(stage).locals_v, stage.surface.knots_v().count());
-}
-
-bool holds_patch(const InteractionState& state) { return state.drag == Drag::handle || state.drag == Drag::gizmo; }
+bool holds_something(const InteractionState& state) { return state.drag == Drag::handle || state.drag == Drag::gizmo; }
 
 /// The camera's view as the document has it now; several events may come between two frames.
 View present_view(const Stage& stage) { return make_view(stage.document.camera, stage.view.viewport); }
@@ -70,10 +56,9 @@ void set_camera(Outcome& outcome, const Stage& stage, const scene::Camera& camer
   outcome.redraw = true;
 }
 
-void set_edit(Outcome& outcome, const Stage& stage, scene::PatchIndex patch, const scene::PatchEdit& edit) {
-  if (edit == edit_of(object(stage), patch)) return;
-  outcome.commands.emplace_back(scene::SetPatchEdit{patch, edit});
-  outcome.redraw = true;
+void perform(Outcome& outcome, const Commands& commands) {
+  outcome.commands.insert(outcome.commands.end(), commands.begin(), commands.end());
+  outcome.redraw = outcome.redraw || !commands.empty();
 }
 
 void end_nudge(InteractionState& state, Outcome& outcome) {
@@ -81,20 +66,20 @@ void end_nudge(InteractionState& state, Outcome& outcome) {
   state.nudging = false;
 }
 
-/// Lets go of a patch: its gesture ends, or is taken back. The pointer may still be down.
-void let_go(InteractionState& state, Outcome& outcome, bool cancelled) {
+/// Lets go of what is held: its gesture ends, or is taken back. The pointer may still be down.
+void let_go(InteractionState& state, const Stage& stage, Outcome& outcome, bool cancelled) {
   if (state.gesture_open) {
     (cancelled ? outcome.cancel_gesture : outcome.end_gesture) = true;
-    if (!cancelled) outcome.notice = patch_name(state.held.patch) + deed(state);
+    if (!cancelled) outcome.notice = name_of(stage, handle_of(state.held)) + deed(state);
   }
   state.gesture_open = false;
   outcome.redraw = true;
 }
 
-/// Patches may have gone since the last event, by another number of local surfaces or another document.
+/// Handles may have gone since the last event, by another number of local surfaces or another document.
 void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcome) {
-  if (holds_patch(state) && !exists(stage, state.held.patch)) {
-    let_go(state, outcome, false);
+  if (holds_something(state) && !exists(stage, state.held)) {
+    let_go(state, stage, outcome, false);
     outcome.notice.clear();
     state.drag = Drag::rest;
   }
@@ -112,14 +97,15 @@ void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcom
 
 struct Target {
   std::optional<GizmoPart> part;
-  std::optional<scene::PatchIndex> handle;
+  std::optional<HandleIndex> handle;
+  std::optional<Insertion> insertion;
 };
 
-std::optional<scene::PatchIndex> nearest_handle(const Stage& stage, glm::dvec2 position, double within) {
+std::optional<HandleIndex> nearest_handle(const Stage& stage, glm::dvec2 position, double within) {
   const Handle* nearest = nullptr;
   double best = 0;
   for (const Handle& handle : stage.handles) {
-    if (!handle.screen || !exists(stage, handle.patch)) continue;
+    if (!handle.screen || !exists(stage, handle.index)) continue;
     const double distance = glm::length(glm::dvec2(*handle.screen) - position);
     if (distance > within) continue;
     if (!nearest || handle.hidden < nearest->hidden || (handle.hidden == nearest->hidden && distance < best)) {
@@ -127,44 +113,56 @@ std::optional<scene::PatchIndex> nearest_handle(const Stage& stage, glm::dvec2 p
       best = distance;
     }
   }
-  return nearest ? std::optional(nearest->patch) : std::nullopt;
+  return nearest ? std::optional(nearest->index) : std::nullopt;
 }
 
 Target target(const InteractionState& state, const Stage& stage, glm::dvec2 position, PointerDevice device) {
   if (!stage.document.display.handles) return {};
   const Reach& within = reach(device);
-  if (state.selected) {
-    const Gizmo gizmo = make_gizmo(stage.surface, object(stage), *state.selected, stage.view);
+  if (state.selected && stage.surface) {
+    const Gizmo gizmo =
+        make_gizmo(*stage.surface, scene::blending_surface(stage.document), *state.selected, stage.view);
     const std::optional<glm::dvec3> centre = stage.view.project(gizmo.origin);
-    if (centre && glm::length(glm::dvec2(*centre) - position) <= within.core) return {{}, state.selected};
-    if (const auto part = pick_gizmo(gizmo, stage.view, position, within.gizmo)) return {part, {}};
+    if (centre && glm::length(glm::dvec2(*centre) - position) <= within.core) return {{}, state.selected, {}};
+    if (const auto part = pick_gizmo(gizmo, stage.view, position, within.gizmo)) return {part, {}, {}};
   }
-  return {{}, nearest_handle(stage, position, within.handle)};
+  if (const auto handle = nearest_handle(stage, position, within.handle)) return {{}, handle, {}};
+  // A finger that wants to turn the view would too often come upon the polygon.
+  const bool adds = device != PointerDevice::touch && stage.curve && stage.document.display.polygon;
+  return {{}, {}, adds ? insertion_at(stage, position, within.polygon) : std::nullopt};
 }
 
-std::optional<glm::dvec2> surface_point(const Stage& stage, glm::dvec2 position) {
+std::optional<glm::dvec2> probed(const Stage& stage, glm::dvec2 position, PointerDevice device) {
+  if (stage.curve) {
+    const std::optional<double> t = curve_parameter_at(stage, position, reach(device).curve);
+    return t ? std::optional(glm::dvec2(*t, 0)) : std::nullopt;
+  }
   const std::optional<scene::SurfaceHit> hit = stage.pick(stage.view.ray(position));
   return hit ? std::optional(glm::dvec2(hit->u, hit->v)) : std::nullopt;
 }
 
 void set_hover(InteractionState& state, Outcome& outcome, const Target& under, std::optional<glm::dvec2> probe) {
-  if (state.hovered == under.handle && state.hovered_part == under.part && state.probe == probe) return;
+  const bool no_insertion = !state.insertion && !under.insertion;
+  if (state.hovered == under.handle && state.hovered_part == under.part && state.probe == probe && no_insertion) return;
   state.hovered = under.handle;
   state.hovered_part = under.part;
+  state.insertion = under.insertion;
   state.probe = probe;
   outcome.redraw = true;
 }
 
 void hover(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
   if (event.device == PointerDevice::touch) return;
-  set_hover(state, outcome, target(state, stage, event.position, event.device), surface_point(stage, event.position));
+  set_hover(state, outcome, target(state, stage, event.position, event.device),
+            probed(stage, event.position, event.device));
 }
 
-void change_selection(InteractionState& state, Outcome& outcome, std::optional<scene::PatchIndex> patch) {
-  if (state.selected == patch) return;
+void change_selection(InteractionState& state, const Stage& stage, Outcome& outcome,
+                      std::optional<HandleIndex> handle) {
+  if (state.selected == handle) return;
   end_nudge(state, outcome);
-  outcome.notice = patch ? patch_name(*patch) + " selected" : patch_name(*state.selected) + " let go";
-  state.selected = patch;
+  outcome.notice = handle ? name_of(stage, *handle) + " selected" : name_of(stage, *state.selected) + " let go";
+  state.selected = handle;
   state.hovered_part.reset();
   outcome.redraw = true;
 }
@@ -181,9 +179,26 @@ void tap(InteractionState& state, const Stage& stage, Outcome& outcome, const In
   }
   state.last_tap = pressed.start;
   state.last_tap_time = time;
-  change_selection(state, outcome, std::nullopt);
+  change_selection(state, stage, outcome, std::nullopt);
   // Fingers do not hover; where they tap is where they want to know.
-  if (pressed.device == PointerDevice::touch) set_hover(state, outcome, {}, surface_point(stage, pressed.position));
+  if (pressed.device == PointerDevice::touch)
+    set_hover(state, outcome, {}, probed(stage, pressed.position, pressed.device));
+}
+
+/// A press on the control polygon: a new point, already in the hand, as one step of the history.
+void add_point(InteractionState& state, const Stage& stage, Outcome& outcome, const Insertion& insertion,
+               const PointerEvent& event) {
+  outcome.begin_gesture = state.gesture_open = true;
+  state.gesture_time = event.time;
+  perform(outcome, {scene::InsertPoint{insertion.index, to_eigen(insertion.position)}});
+  state.selected_before = state.selected;
+  state.selected = HandleIndex(insertion.index, 0);
+  state.drag = Drag::handle;
+  const std::optional<glm::dvec3> screen = stage.view.project(insertion.position);
+  const glm::dvec2 offset = screen ? event.position - glm::dvec2(*screen) : glm::dvec2(0);
+  state.held = PointDrag{*state.selected, insertion.position, offset, event.position};
+  set_hover(state, outcome, {{}, state.selected, {}}, state.probe);
+  outcome.notice = name_of(stage, *state.selected) + " added";
 }
 
 void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
@@ -193,26 +208,30 @@ void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, c
   if (event.button != 0) return;
 
   const Target under = target(state, stage, event.position, event.device);
+  if (under.insertion) {
+    add_point(state, stage, outcome, *under.insertion, event);
+    return;
+  }
   if (!under.part && !under.handle) {
     state.drag = event.modifiers.shift ? Drag::pan : Drag::orbit;
     return;
   }
   state.last_tap.reset();
   state.selected_before = state.selected;
-  if (under.handle) change_selection(state, outcome, under.handle);
+  if (under.handle) change_selection(state, stage, outcome, under.handle);
   state.drag = under.part ? Drag::gizmo : Drag::handle;
   state.drag_part = under.part.value_or(state.drag_part);
-  state.held = take_hold(patch_scene(stage), *state.selected, under.part, event.position);
+  state.held = take_hold(stage, *state.selected, under.part, event.position);
   set_hover(state, outcome, under, state.probe);
   outcome.redraw = true;
 }
 
-void begin_pinch(InteractionState& state, Outcome& outcome, int first, const PointerEvent& event) {
-  if (holds_patch(state)) {
+void begin_pinch(InteractionState& state, const Stage& stage, Outcome& outcome, int first, const PointerEvent& event) {
+  if (holds_something(state)) {
     const bool was_meant = !state.gesture_open || event.time - state.gesture_time <= just_begun;
-    let_go(state, outcome, was_meant);
+    let_go(state, stage, outcome, was_meant);
     if (was_meant && state.selected != state.selected_before) {
-      change_selection(state, outcome, state.selected_before);
+      change_selection(state, stage, outcome, state.selected_before);
       outcome.notice.clear();
     }
   }
@@ -232,14 +251,13 @@ void continue_pinch(const InteractionState& state, const Stage& stage, Outcome& 
   set_camera(outcome, stage, pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport)));
 }
 
-void drag_patch(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
+void drag_held(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
   if (!state.gesture_open) {
     outcome.begin_gesture = true;
     state.gesture_open = true;
     state.gesture_time = event.time;
   }
-  const scene::PatchEdit edit = drag_to(state.held, patch_scene(stage), event.position, event.modifiers.shift);
-  set_edit(outcome, stage, state.held.patch, edit);
+  perform(outcome, drag_to(state.held, stage, event.position, event.modifiers.shift));
 }
 
 void move(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
@@ -263,8 +281,8 @@ void move(InteractionState& state, const Stage& stage, Outcome& outcome, const P
     return;
   }
   if (event.id != state.drag_pointer || !pointer.moved) return;
-  if (holds_patch(state)) {
-    drag_patch(state, stage, outcome, event);
+  if (holds_something(state)) {
+    drag_held(state, stage, outcome, event);
   } else if (state.drag == Drag::orbit || state.drag == Drag::pan) {
     state.last_tap.reset();
     set_hover(state, outcome, {}, std::nullopt);
@@ -284,7 +302,7 @@ void release(InteractionState& state, const Stage& stage, Outcome& outcome, int 
   if (one_of_pinch) {
     state.drag = Drag::rest;
   } else if (id == state.drag_pointer && state.drag != Drag::pinch) {
-    if (holds_patch(state)) let_go(state, outcome, cancelled);
+    if (holds_something(state)) let_go(state, stage, outcome, cancelled);
     if (state.drag == Drag::orbit && !pointer.moved && tap_time) tap(state, stage, outcome, pointer, *tap_time);
     state.drag = Drag::rest;
   }
@@ -306,7 +324,7 @@ void press(InteractionState& state, const Stage& stage, Outcome& outcome, const 
   if (alone) {
     begin_drag(state, stage, outcome, event);
   } else if (second_finger && state.drag != Drag::pinch) {
-    begin_pinch(state, outcome, first, event);
+    begin_pinch(state, stage, outcome, first, event);
   }
 }
 
@@ -324,32 +342,32 @@ const NudgeKey* find_nudge(std::string_view key) {
   return found == std::end(nudge_keys) ? nullptr : found;
 }
 
-void nudge_patch(InteractionState& state, const Stage& stage, Outcome& outcome, const NudgeKey& row, bool finer) {
-  const scene::PatchIndex patch = *state.selected;
-  const PatchScene scene = patch_scene(stage);
-  const double step = (finer ? fine_nudge : nudge) * stage.view.pixel_size(document_origin(scene, patch));
-  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(stage.surface, patch))[2];
-  const glm::dvec3 offset =
-      row.direction.x * stage.view.right + row.direction.y * stage.view.up + row.direction.z * normal;
+void nudge_selected(InteractionState& state, const Stage& stage, Outcome& outcome, const NudgeKey& row, bool finer) {
   outcome.begin_gesture = !state.nudging;
   state.nudging = true;
-  set_edit(outcome, stage, patch, moved_by(scene, patch, step * offset));
-  outcome.notice = patch_name(patch) + " moved";
+  perform(outcome, nudged(stage, *state.selected, (finer ? fine_nudge : nudge) * row.direction));
+  outcome.notice = name_of(stage, *state.selected) + " moved";
 }
 
-void reset_patch(InteractionState& state, const Stage& stage, Outcome& outcome) {
+void remove_selected(InteractionState& state, const Stage& stage, Outcome& outcome) {
   end_nudge(state, outcome);
-  set_edit(outcome, stage, *state.selected, {});
-  outcome.notice = patch_name(*state.selected) + (outcome.commands.empty() ? " is as it was" : " reset");
+  perform(outcome, removed(stage, *state.selected));
+  const char* patch_word = outcome.commands.empty() ? " is as it was" : " reset";
+  outcome.notice = name_of(stage, *state.selected) + (stage.surface ? patch_word : " deleted");
+}
+
+void add_after_selected(InteractionState& state, const Stage& stage, Outcome& outcome) {
+  const std::optional<Insertion> place = insertion_after(stage, *state.selected);
+  if (!place) return;
+  end_nudge(state, outcome);
+  perform(outcome, {scene::InsertPoint{place->index, to_eigen(place->position)}});
+  state.selected = HandleIndex(place->index, 0);
+  outcome.notice = name_of(stage, *state.selected) + " added";
 }
 
 void select_neighbour(InteractionState& state, const Stage& stage, Outcome& outcome, int step) {
-  const int rows = object(stage).locals_v, count = object(stage).locals_u * rows;
-  // From nothing, forwards comes to the first and backwards to the last.
-  const int present = state.selected ? state.selected->first * rows + state.selected->second : step > 0 ? -1 : count;
-  const int next = (present + step + count) % count;
-  const scene::PatchIndex patch{next / rows, next % rows};
-  if (exists(stage, patch)) change_selection(state, outcome, patch);
+  const HandleIndex next = neighbour(stage, state.selected, step);
+  if (exists(stage, next)) change_selection(state, stage, outcome, next);
 }
 
 void zoom_about_target(Outcome& outcome, const Stage& stage, double factor) {
@@ -357,16 +375,16 @@ void zoom_about_target(Outcome& outcome, const Stage& stage, double factor) {
              zoom(stage.document.camera, factor, free_area(stage.view.viewport).centre, present_view(stage)));
 }
 
-void escape(InteractionState& state, Outcome& outcome) {
+void escape(InteractionState& state, const Stage& stage, Outcome& outcome) {
   if (state.drag != Drag::none && state.drag != Drag::rest) {
-    if (holds_patch(state)) let_go(state, outcome, true);
+    if (holds_something(state)) let_go(state, stage, outcome, true);
     state.drag = Drag::rest;
     outcome.used = true;
   } else if (state.nudging) {
     outcome.cancel_gesture = outcome.redraw = outcome.used = true;
     state.nudging = false;
   } else if (state.selected) {
-    change_selection(state, outcome, std::nullopt);
+    change_selection(state, stage, outcome, std::nullopt);
     outcome.used = true;
   }
 }
@@ -376,18 +394,21 @@ void shortcut(InteractionState& state, Outcome& outcome, std::string_view key, b
   const bool z = key == "z" || key == "Z", y = key == "y" || key == "Y";
   if (!z && !y) return;
   outcome.used = true;
-  if (holds_patch(state)) return;
+  if (holds_something(state)) return;
   end_nudge(state, outcome);
   (z && !shift ? outcome.undo : outcome.redo) = true;
 }
 
-/// Keys that act on the selected patch; without one they are the page's.
-void patch_key(InteractionState& state, const Stage& stage, Outcome& outcome, const KeyEvent& event) {
+/// Keys that act on the selected handle; without one they are the page's.
+void handle_key(InteractionState& state, const Stage& stage, Outcome& outcome, const KeyEvent& event) {
   if (const NudgeKey* row = find_nudge(event.key)) {
-    nudge_patch(state, stage, outcome, *row, event.modifiers.shift);
+    nudge_selected(state, stage, outcome, *row, event.modifiers.shift);
     outcome.used = true;
   } else if (event.key == "Delete" || event.key == "Backspace") {  // what a Mac's keyboard calls delete
-    reset_patch(state, stage, outcome);
+    remove_selected(state, stage, outcome);
+    outcome.used = true;
+  } else if (event.key == "Insert" && stage.curve) {
+    add_after_selected(state, stage, outcome);
     outcome.used = true;
   }
 }
@@ -411,31 +432,7 @@ void stage_key(InteractionState& state, const Stage& stage, Outcome& outcome, st
   }
 }
 
-std::optional<int> index_from(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  // One spelling for each patch: no sign, no leading zeros.
-  if (!whole || value < 0 || std::to_string(value) != text) return std::nullopt;
-  return value;
-}
-
 }  // namespace
-
-std::string handle_id(scene::PatchIndex patch) {
-  return "patch-" + std::to_string(patch.first) + "-" + std::to_string(patch.second);
-}
-
-std::optional<scene::PatchIndex> handle_patch(std::string_view id) {
-  constexpr std::string_view prefix = "patch-";
-  if (!id.starts_with(prefix)) return std::nullopt;
-  const std::string_view rest = id.substr(prefix.size());
-  const std::size_t dash = rest.find('-');
-  if (dash == std::string_view::npos) return std::nullopt;
-  const std::optional<int> i = index_from(rest.substr(0, dash)), j = index_from(rest.substr(dash + 1));
-  if (!i || !j) return std::nullopt;
-  return scene::PatchIndex(*i, *j);
-}
 
 Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event) {
   Outcome outcome;
@@ -506,25 +503,23 @@ Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event) 
     return outcome;
   }
   if (event.key == "Escape") {
-    escape(state, outcome);
+    escape(state, stage, outcome);
     return outcome;
   }
-  if (holds_patch(state) && event.key != " ") {
+  if (holds_something(state) && event.key != " ") {
     // A hand is on the patch: keys that would act on it wait, and the page must not scroll away under it either.
     outcome.used = event.key != "Tab" && event.key != "Shift";
     return outcome;
   }
-  if (state.selected) patch_key(state, stage, outcome, event);
+  if (state.selected) handle_key(state, stage, outcome, event);
   if (!outcome.used) stage_key(state, stage, outcome, event.key);
   return outcome;
 }
 
 Outcome hold(const InteractionState& state, const Stage& stage) {
   Outcome outcome;
-  if (!holds_patch(state) || !state.gesture_open || !exists(stage, state.held.patch)) return outcome;
-  PatchDrag still = state.held;
-  if (still.part && still.part != GizmoPart::move_normal) return outcome;
-  set_edit(outcome, stage, still.patch, drag_to(still, patch_scene(stage), still.pointer, still.along_axis));
+  if (!holds_something(state) || !state.gesture_open || !exists(stage, state.held)) return outcome;
+  perform(outcome, hold_still(state.held, stage));
   return outcome;
 }
 
@@ -534,11 +529,11 @@ Outcome blur(InteractionState& state) {
   return outcome;
 }
 
-Outcome select(InteractionState& state, const Stage& stage, std::optional<scene::PatchIndex> patch) {
+Outcome select(InteractionState& state, const Stage& stage, std::optional<HandleIndex> patch) {
   Outcome outcome;
   forget_missing(state, stage, outcome);
-  if (holds_patch(state) || (patch && !exists(stage, *patch))) return outcome;
-  change_selection(state, outcome, patch);
+  if (holds_something(state) || (patch && !exists(stage, *patch))) return outcome;
+  change_selection(state, stage, outcome, patch);
   return outcome;
 }
 

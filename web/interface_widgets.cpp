@@ -31,36 +31,43 @@ float size_of(const Interface& ui, Face face) {
   return ui.touch ? size + 1 : size;
 }
 
-/// A stretch of text that is all subscript or all on the line; subscripts as plain figures.
+/// A stretch of text that is all on the line, all lowered or all raised; the latter as plain figures.
 struct Run {
   std::string words;
-  bool subscript;
+  int level;  ///< -1 lowered, 0, 1 raised
 };
 
-/// U+2080..U+2089 are the bytes E2 82 80 .. E2 82 89.
+/// Lowered figures are the bytes E2 82 80 .. E2 82 89; raised ones E2 81 B0, E2 81 B4 .. B9, and in Latin-1 C2 B9 (1),
+/// C2 B2 (2) and C2 B3 (3).
 std::vector<Run> runs(std::string_view text) {
   std::vector<Run> out;
-  const auto append = [&](std::string_view bytes, bool subscript) {
-    if (out.empty() || out.back().subscript != subscript) out.push_back({{}, subscript});
+  const auto append = [&](std::string_view bytes, int level) {
+    if (out.empty() || out.back().level != level) out.push_back({{}, level});
     out.back().words += bytes;
   };
   for (std::size_t i = 0; i < text.size();) {
-    const auto last = i + 2 < text.size() ? static_cast<unsigned char>(text[i + 2]) : 0U;
-    if (text.substr(i, 2) == "\xE2\x82" && last >= 0x80 && last <= 0x89) {
-      append(std::string(1, static_cast<char>('0' + static_cast<int>(last - 0x80))), true);
+    const auto byte = [&](std::size_t k) { return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U; };
+    const auto figure = [](unsigned value) { return std::string(1, static_cast<char>('0' + static_cast<int>(value))); };
+    const bool low = byte(0) == 0xE2 && byte(1) == 0x82 && byte(2) >= 0x80 && byte(2) <= 0x89;
+    const bool high = byte(0) == 0xE2 && byte(1) == 0x81 && byte(2) >= 0xB0 && byte(2) <= 0xB9;
+    if (low || high) {
+      append(figure(byte(2) - (low ? 0x80 : 0xB0)), low ? -1 : 1);
       i += 3;
+    } else if (byte(0) == 0xC2 && (byte(1) == 0xB9 || byte(1) == 0xB2 || byte(1) == 0xB3)) {
+      append(figure(byte(1) == 0xB9 ? 1 : byte(1) - 0xB0), 1);
+      i += 2;
     } else {
-      append(text.substr(i, 1), false);
+      append(text.substr(i, 1), 0);
       ++i;
     }
   }
   return out;
 }
 
-constexpr float subscript_share = 0.72F;
+constexpr float small_figure_share = 0.72F;
 
 float run_width(const Interface& ui, Face face, const Run& run) {
-  const float size = size_of(ui, face) * (run.subscript ? subscript_share : 1);
+  const float size = size_of(ui, face) * (run.level != 0 ? small_figure_share : 1);
   return font_of(ui, face)->CalcTextSizeA(size, FLT_MAX, 0, run.words.data(), run.words.data() + run.words.size()).x;
 }
 
@@ -148,6 +155,13 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink
       strokes<2>(list, centre, unit, {{{4, 4}, {12, 12}}}, ink, thickness);
       strokes<2>(list, centre, unit, {{{12, 4}, {4, 12}}}, ink, thickness);
       break;
+    case Icon::add:
+      strokes<2>(list, centre, unit, {{{8, 3}, {8, 13}}}, ink, thickness);
+      strokes<2>(list, centre, unit, {{{3, 8}, {13, 8}}}, ink, thickness);
+      break;
+    case Icon::remove:
+      strokes<2>(list, centre, unit, {{{3, 8}, {13, 8}}}, ink, thickness);
+      break;
     case Icon::sliders:
       strokes<2>(list, centre, unit, {{{2, 5}, {14, 5}}}, ink, thickness);
       strokes<2>(list, centre, unit, {{{2, 11}, {14, 11}}}, ink, thickness);
@@ -212,8 +226,8 @@ void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::strin
   float x = position.x;
   if (align != Align::left) x -= text_width(ui, face, text) / (align == Align::centre ? 2 : 1);
   for (const Run& run : runs(text)) {
-    const float run_size = size * (run.subscript ? subscript_share : 1);
-    const float y = position.y - size / 2 + (run.subscript ? size * 0.36F : 0);
+    const float run_size = size * (run.level != 0 ? small_figure_share : 1);
+    const float y = position.y - size / 2 + (run.level < 0 ? size * 0.36F : run.level > 0 ? -size * 0.04F : 0);
     list.AddText(font_of(ui, face), run_size, {std::round(x), std::round(y)}, ink, run.words.data(),
                  run.words.data() + run.words.size());
     x += run_width(ui, face, run);

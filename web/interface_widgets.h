@@ -57,7 +57,8 @@ void sharpen(const Interface& ui, ImDrawList& list);
 /// Rings of falling opacity round a card; inside it nothing, so that a translucent card stays clean.
 void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float rounding, float opacity = 1);
 
-// Type. Positions are of the line's vertical centre; subscript figures (U+2080..2089) are drawn small and low.
+// Type. Positions are of the line's vertical centre; subscript figures (U+2080..2089) are drawn small and
+// low, raised ones (U+2070, 2074..2079) small and high.
 float text_width(const Interface& ui, Face face, std::string_view text);
 void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align = Align::left);
 
@@ -107,7 +108,7 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
 
 bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled = true);
 
-enum class Icon : unsigned char { undo, redo, reset, frame, close, sliders };
+enum class Icon : unsigned char { undo, redo, reset, frame, close, sliders, add, remove };
 bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint);
 bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool playing);
 /// A pill with an icon and a word.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "web/interface_widgets.h"
+#include "web/knot_strip.h"
 
 namespace knotwork::web {
 namespace {
@@ -17,16 +18,18 @@ using scene::ParameterKind;
 
 // Every word of the interface that is not in the parameter table.
 namespace words {
-constexpr std::string_view title = "Blending surface", controls = "Controls", more = "Display, sampling, motion",
+constexpr std::string_view controls = "Controls", more = "Display, sampling, motion", display = "Display",
                            undo = "Undo", redo = "Redo", reset = "Put all patches back",
-                           frame = "Show the whole surface", domain = "domain", knots = "knots", patches = "patches",
-                           locals = "locals", selected = "patch", pointed = "under the pointer", tapped = "at the tap";
+                           frame = "Show the whole figure", domain = "domain", knots = "knots", patches = "patches",
+                           locals = "locals", selected = "patch", pointed = "under the pointer", tapped = "at the tap",
+                           add = "Add a point after this one", remove = "Delete this point";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
 // beside the clock. All others follow by themselves in the table's groups.
-constexpr std::array<std::string_view, 6> first_rows{"topology.u", "topology.v",        "locals.u",
-                                                     "locals.v",   "blending.function", "blending.parameter"};
+constexpr std::array<std::string_view, 9> first_rows{"topology.u",     "topology.v",        "locals.u",
+                                                     "locals.v",       "blending.function", "blending.parameter",
+                                                     "curve.topology", "curve.degree",      "curve.parameter"};
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
@@ -34,18 +37,24 @@ constexpr float padding = 16;       ///< inside the card
 constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
 constexpr float combo_margin = 40;  ///< beside the words of a closed list
 constexpr float clock_height = 64;  ///< from the stage's foot to the clock's upper edge
+constexpr float tools_height = 46;  ///< of the row of buttons under a curve's basis functions
 constexpr float wide_stage = 660;   ///< from here on there is room for the wide card
 constexpr float tall_stage = 820;   ///< from here on the report's table is always in view
+
+/// A curve's basis functions and knots.
+float strip_height(const Rect& stage) { return std::clamp(0.24F * stage.height, 128.0F, 200.0F); }
 
 struct Frame {
   PanelState& state;
   const PanelInput& input;
   PanelOutput& output;
   Interface& ui;
-  const scene::BlendingSurfaceObject& object;
+  const scene::BlendingSurfaceObject* object;  ///< nullptr when a curve is on the stage
   Rect stage;
 
   bool tall() const { return stage.height >= tall_stage; }
+  /// From the stage's foot to the upper edge of what stands there: the clock, or a curve's basis functions.
+  float foot() const { return object ? clock_height : strip_height(stage) + (ui.touch ? 0.0F : tools_height); }
 };
 
 /// Where the next row goes.
@@ -58,10 +67,11 @@ float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
 float slider_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 26.0F; }
 float label_width(const Frame& frame) { return frame.stage.width < wide_stage && !frame.ui.touch ? 76.0F : 84.0F; }
 
-Rect card_frame(const Rect& stage) {
+Rect card_frame(const Frame& frame) {
+  const Rect& stage = frame.stage;
   const bool wide = stage.width >= wide_stage;
   const float width = wide ? 276.0F : 252.0F, margin = wide ? 20.0F : 12.0F;
-  return {stage.width - width - margin, margin, width, stage.height - clock_height - margin - 8};
+  return {stage.width - width - margin, margin, width, stage.height - frame.foot() - margin - 8};
 }
 
 bool listed(std::span<const std::string_view> ids, std::string_view id) {
@@ -77,6 +87,12 @@ std::string text_of(const char* format, double value) {
   // The typographic minus is as wide as a figure.
   if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
   return text;
+}
+
+/// Raised figures, from 0 to 9.
+std::string superscript(int number) {
+  constexpr std::array<std::string_view, 10> figures{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return std::string(figures[static_cast<std::size_t>(std::clamp(number, 0, 9))]);
 }
 
 /// With as many decimals as the step has.
@@ -360,7 +376,7 @@ void plot_row(Frame& frame, Column& column) {
   const ImU32 first = colour(as_text(theme, theme.local[0])), second = colour(as_text(theme, theme.local[1]));
   std::string left = "1 − B", right = "B";
   if (w) {
-    const double b = frame.input.surface.blending()(*w)[0];
+    const double b = frame.input.surface->blending()(*w)[0];
     left += "  " + text_of("%.2f", 1 - b);
     right = text_of("%.2f", b) + "  " + right;
     text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), "w " + text_of("%.2f", *w), Align::centre);
@@ -372,7 +388,7 @@ void plot_row(Frame& frame, Column& column) {
   text(frame.ui, Face::small, {column.x, middle}, first, left);
   text(frame.ui, Face::small, {column.x + column.width, middle}, second, right, Align::right);
   column.y += 18;
-  blending_plot(frame.ui, {column.x, column.y, column.width, 64}, frame.input.surface.blending(), w);
+  blending_plot(frame.ui, {column.x, column.y, column.width, 64}, frame.input.surface->blending(), w);
   column.y += 68;
 }
 
@@ -411,29 +427,34 @@ void table(Frame& frame, Column& column) {
            Align::right);
     column.y += line;
   };
-  row("u", frame.object.locals_u, frame.object.topology_u);
-  row("v", frame.object.locals_v, frame.object.topology_v);
+  row("u", frame.object->locals_u, frame.object->topology_u);
+  row("v", frame.object->locals_v, frame.object->topology_v);
 }
 
 void title_row(Frame& frame, Column& column, float right) {
   const float middle = column.y + 10;
-  text(frame.ui, Face::bold, {column.x, middle}, colour(frame.input.theme.ink), words::title);
-  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft),
-       std::to_string(frame.object.locals_u) + " × " + std::to_string(frame.object.locals_v), Align::right);
+  const scene::Shape& shape = scene::stage_shape(frame.input.document);
+  text(frame.ui, Face::bold, {column.x, middle}, colour(frame.input.theme.ink),
+       scene::shape_kinds()[shape.index()].label);
+  const std::string size = frame.object
+                               ? std::to_string(frame.object->locals_u) + " × " + std::to_string(frame.object->locals_v)
+                               : std::to_string(frame.input.curve->curve.points().size()) + " points";
+  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft), size,
+       Align::right);
   column.y += 30;
 }
 
 void first_part(Frame& frame, Column& column) {
   for (const std::string_view id : first_rows) {
     const Parameter* parameter = scene::find_parameter(id);
-    if (!parameter) continue;
+    if (!parameter || !scene::applies(frame.input.document, *parameter)) continue;
     // A row that most blending functions have no use for takes up no room.
     if (id == "blending.parameter" && !why_disabled(frame, *parameter).empty()) continue;
     if (id == "blending.function") column.y += 4;
     parameter_row(frame, column, *parameter, parameter->label);
   }
   column.y += 2;
-  plot_row(frame, column);
+  if (frame.object) plot_row(frame, column);
 }
 
 /// All rows of the table that have no place of their own, group by group; groups of switches first, as they are used most.
@@ -441,7 +462,8 @@ void other_parts(Frame& frame, Column& column) {
   const std::span<const std::string_view> beside_clock =
       std::span(clock_rows).first(frame.ui.touch ? phone_clock_rows : clock_rows.size());
   const auto other = [&](const Parameter& parameter) {
-    return !listed(first_rows, parameter.id) && !listed(beside_clock, parameter.id);
+    return scene::applies(frame.input.document, parameter) && !listed(first_rows, parameter.id) &&
+           !listed(beside_clock, parameter.id);
   };
   std::vector<std::string_view> groups;
   for (const bool switches : {true, false})
@@ -490,7 +512,7 @@ void card_background(Frame& frame, const Rect& card, float opacity) {
 }
 
 void card(Frame& frame) {
-  const Rect place = card_frame(frame.stage);
+  const Rect place = card_frame(frame);
   const float wanted = frame.state.card_height > 0 ? frame.state.card_height : 330.0F;
   const Rect rect{place.x, place.y, place.width, std::min(wanted, place.height)};
   const bool scrolls = wanted > place.height + 0.5F && frame.state.show_more;
@@ -506,13 +528,14 @@ void card(Frame& frame) {
   Column column{rect.x + padding, rect.width - 2 * padding, top + 12};
   title_row(frame, column, 0);
   first_part(frame, column);
-  if (frame.tall()) {
+  if (frame.object && frame.tall()) {
     rule(frame, column, 6);
     table(frame, column);
   }
   rule(frame, column, 4);
   const float share = smooth(eased(frame.ui, frame.state.more_share, frame.state.show_more ? 1.0F : 0.0F, 0.15F));
-  if (fold_button(frame.ui, "more", {column.x, column.y, column.width, 28}, words::more, frame.state.show_more)) {
+  if (fold_button(frame.ui, "more", {column.x, column.y, column.width, 28}, frame.object ? words::more : words::display,
+                  frame.state.show_more)) {
     frame.state.show_more = !frame.state.show_more;
     frame.ui.wants_frame = true;
   }
@@ -521,7 +544,7 @@ void card(Frame& frame) {
   float unfolded = folded;
   if (share > 0) {
     other_parts(frame, column);
-    if (!frame.tall()) {
+    if (frame.object && !frame.tall()) {
       heading(frame, column, words::domain);
       table(frame, column);
     }
@@ -577,8 +600,10 @@ void drawer(Frame& frame) {
   Column column{body.x + padding, body.width - 2 * padding, body.y - ImGui::GetScrollY() + 2};
   first_part(frame, column);
   other_parts(frame, column);
-  rule(frame, column, 8);
-  table(frame, column);
+  if (frame.object) {
+    rule(frame, column, 8);
+    table(frame, column);
+  }
   column.y += 12;
   ImGui::SetCursorScreenPos({body.x, column.y});
   ImGui::Dummy({1, 0});
@@ -588,17 +613,56 @@ void drawer(Frame& frame) {
   ImGui::End();
 }
 
-float tools(Frame& frame, float x, float middle) {
+/// The curve's point that is selected.
+std::optional<int> selected_point(const Frame& frame) {
+  const std::optional<HandleIndex>& selected = frame.input.selected;
+  const bool point = selected && *selected != parameter_handle && frame.input.curve &&
+                     selected->first < frame.input.curve->curve.knots().count();
+  return point ? std::optional(selected->first) : std::nullopt;
+}
+
+void tools(Frame& frame, float x, float middle) {
   PanelOutput& output = frame.output;
   const float size = frame.ui.touch ? 40.0F : 32.0F;
   const auto place = [&](int k) { return Rect{x + size * static_cast<float>(k), middle - size / 2, size, size}; };
   const PanelInput& input = frame.input;
   output.undo = icon_button(frame.ui, "undo", place(0), Icon::undo, input.can_undo, words::undo);
   output.redo = icon_button(frame.ui, "redo", place(1), Icon::redo, input.can_redo, words::redo);
-  output.reset_patches =
-      icon_button(frame.ui, "reset", place(2), Icon::reset, !frame.object.edits.empty(), words::reset);
-  output.frame_all = icon_button(frame.ui, "frame", place(3), Icon::frame, true, words::frame);
-  return 4 * size;
+  int next = 2;
+  if (frame.object) {
+    output.reset_patches =
+        icon_button(frame.ui, "reset", place(next++), Icon::reset, !frame.object->edits.empty(), words::reset);
+  } else {
+    const bool point = selected_point(frame).has_value();
+    output.add_point = icon_button(frame.ui, "add", place(next++), Icon::add, point, words::add);
+    output.remove_point = icon_button(frame.ui, "remove", place(next++), Icon::remove, point, words::remove);
+  }
+  output.frame_all = icon_button(frame.ui, "frame", place(next), Icon::frame, true, words::frame);
+}
+
+/// The foot of a curve's stage: its basis functions and knots, and below them the buttons.
+void strip(Frame& frame) {
+  const bool phone = frame.ui.touch;
+  const float margin = phone ? 30 : frame.stage.width >= wide_stage ? 62.0F : 46.0F;
+  const float top = frame.stage.height - frame.foot();
+  begin(frame, "strip", {0, top, frame.stage.width, frame.foot()},
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool movable = std::holds_alternative<scene::BSplineCurveObject>(scene::stage_shape(frame.input.document));
+  const Rect place{margin, top, frame.stage.width - 2 * margin, strip_height(frame.stage) - 6};
+  const StripEvent event =
+      knot_strip(frame.ui, place, *frame.input.curve, movable, selected_point(frame), frame.state.knot);
+  if (event.taken) {
+    frame.output.begin_gesture = true;
+    frame.state.slider_held = true;
+  }
+  if (event.t) frame.output.commands.emplace_back(scene::SetParameter{"curve.parameter", *event.t});
+  if (event.knot) frame.output.commands.emplace_back(scene::SetKnot{event.knot->first, event.knot->second});
+  if (event.let_go && frame.state.slider_held) {
+    frame.output.end_gesture = true;
+    frame.state.slider_held = false;
+  }
+  if (!phone) tools(frame, frame.stage.width - 5 * 32.0F - 18, frame.stage.height - 26);
+  ImGui::End();
 }
 
 void clock(Frame& frame) {
@@ -643,6 +707,34 @@ void clock(Frame& frame) {
   ImGui::End();
 }
 
+/// Names of control points, under the panels.
+void labels(Frame& frame) {
+  begin(frame, "labels", frame.stage, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  for (const StageLabel& label : frame.input.labels)
+    text(frame.ui, Face::regular, {static_cast<float>(label.place.x), static_cast<float>(label.place.y)},
+         colour(as_text(frame.input.theme, label.colour)), label.words, Align::centre);
+  ImGui::End();
+}
+
+/// Of a curve: the parameter under the pointer, or else that of the construction; its interval, and how smooth the
+/// curve is where knots coincide.
+void curve_probe(Frame& frame, float left, float y) {
+  const Theme& theme = frame.input.theme;
+  const scene::CurveFigure& figure = *frame.input.curve;
+  const KnotVector& knots = figure.curve.knots();
+  const double t = frame.input.curve_t.value_or(figure.t);
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
+  text(frame.ui, Face::regular, {left + 74, y}, colour(theme.ink_soft),
+       "span " + std::to_string(knots.span(knots.reduced(t))));
+  for (const scene::CurveFigure::Mark& mark : figure.marks) {
+    const int multiplicity = mark.last - mark.first + 1;
+    if (!mark.inner || multiplicity < 2) continue;
+    y += 20;
+    text(frame.ui, Face::regular, {left, y}, colour(theme.accent),
+         "C" + superscript(knots.degree() - multiplicity) + " at t = " + text_of("%.2f", mark.t));
+  }
+}
+
 /// What is under the pointer: the point, its curvatures, and the weights of the locals at work, in their hues.
 void probe(Frame& frame) {
   PanelState& state = frame.state;
@@ -654,9 +746,15 @@ void probe(Frame& frame) {
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = top + 8;
+  if (!frame.object) {
+    frame.output.readouts.push_back({0, 0, left + 132.0, top + 20.0});
+    curve_probe(frame, left, y);
+    ImGui::End();
+    return;
+  }
   if (frame.input.selected) {
     const scene::PatchIndex patch = *frame.input.selected;
-    const Colour hue = scene::patch_hue(scene::patch_hue_index(frame.object, patch), theme.dark);
+    const Colour hue = scene::patch_hue(scene::patch_hue_index(*frame.object, patch), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
     text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
          std::string(words::selected) + " " + std::to_string(patch.first) + ", " + std::to_string(patch.second));
@@ -683,7 +781,7 @@ void probe(Frame& frame) {
     const float width = 148, height = 6;
     float x = left, word = left;
     for (const BlendingSurface::Weight& weight : point.weights) {
-      const Colour hue = scene::patch_hue(scene::patch_hue_index(frame.object, {weight.i, weight.j}), theme.dark);
+      const Colour hue = scene::patch_hue(scene::patch_hue_index(*frame.object, {weight.i, weight.j}), theme.dark);
       const float part = width * static_cast<float>(std::clamp(weight.value, 0.0, 1.0));
       if (part > 0.25F) list.AddRectFilled({x, y - height / 2}, {x + part, y + height / 2}, colour(hue, share));
       x += part;
@@ -704,11 +802,11 @@ void notice(Frame& frame) {
   sharpen(frame.ui, list);
   const std::string& words = state.last_notice;
   // Beside the card where there is room: it is the card that a refusal is mostly about.
-  const float free = frame.ui.touch ? frame.stage.width : card_frame(frame.stage).x;
+  const float free = frame.ui.touch ? frame.stage.width : card_frame(frame).x;
   const auto [wrap, extent] = balanced(frame.ui, Face::regular, words, std::min(360.0F, free - 72));
   Rect box{0, 0, std::ceil(extent.x) + 40, std::ceil(extent.y) + 20};
   box.x = std::round((free - box.width) / 2);
-  box.y = std::round(frame.stage.height - clock_height - 12 - box.height + 8 * (1 - share));
+  box.y = std::round(frame.stage.height - frame.foot() - 12 - box.height + 8 * (1 - share));
   soft_shadow(frame.ui, list, box, 10, share);
   list.AddRectFilled(box.min(), box.max(), colour(theme.ink, share), 10);
   list.AddCircleFilled({box.x + 15, box.y + 10 + text_height / 2}, 3.5F,
@@ -732,15 +830,17 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   // Whole pixels: a card at a fraction of one would blur all its text.
   const Rect stage{0, 0, static_cast<float>(std::floor(input.viewport.width)),
                    static_cast<float>(std::floor(input.viewport.height))};
-  Frame frame{state, input, output, ui, scene::blending_surface(input.document), stage};
+  Frame frame{state, input, output, ui, std::get_if<scene::BlendingSurfaceObject>(&scene::stage_shape(input.document)),
+              stage};
 
   state.list_open = false;
+  labels(frame);
   probe(frame);
-  if (!input.phone || state.drawer_share < 1) clock(frame);
+  if (!input.phone || state.drawer_share < 1) frame.object ? clock(frame) : strip(frame);
   if (input.phone) {
     // Over an open drawer the little room there is belongs to the figure.
     if (!state.drawer_open) {
-      begin(frame, "tools", {8, 8, 168, 44}, ImGuiWindowFlags_NoScrollbar);
+      begin(frame, "tools", {8, 8, frame.object ? 168.0F : 208.0F, 44}, ImGuiWindowFlags_NoScrollbar);
       tools(frame, 8, 30);
       ImGui::End();
     }

@@ -8,6 +8,7 @@
 #include "knotwork/scene/commands.h"
 #include "knotwork/scene/surface_builder.h"
 #include "web/camera.h"
+#include "web/holding.h"
 #include "web/theme.h"
 
 namespace knotwork::web {
@@ -16,6 +17,21 @@ namespace knotwork::web {
 struct Widget {
   std::string label;
   std::array<double, 4> rect;  ///< x y width height
+};
+
+/// A word on the stage.
+struct StageLabel {
+  std::string words;
+  glm::dvec2 place;  ///< CSS pixels, of its middle
+  Colour colour;
+};
+
+/// The knot in the hand.
+struct KnotDrag {
+  bool held = false, moved = false;
+  int first = 0, last = 0;  ///< the knots that coincided where it was taken
+  int index = 0;            ///< the one that moves; chosen by the first direction
+  float start = 0;          ///< of the pointer, CSS pixels
 };
 
 /// The probe under the pointer: point, curvatures and the weights of the four local patches at work.
@@ -28,15 +44,18 @@ struct Probe {
 /// All that the panels show. They change nothing; what the reader asks for comes back as commands.
 struct PanelInput {
   const scene::Document& document;
-  const BlendingSurface& surface;
+  const BlendingSurface* surface;  ///< one of the two, as the document's shape is
+  const scene::CurveFigure* curve;
   const Theme& theme;
   Viewport viewport;   ///< insets ignored
   bool phone = false;  ///< narrow stage: the panel is a drawer
   std::optional<Probe> probe;
-  std::optional<scene::PatchIndex> selected;
+  std::optional<double> curve_t;  ///< the curve's parameter under the pointer
+  std::optional<HandleIndex> selected;
   bool can_undo = false, can_redo = false;
   bool reduced_motion = false;  ///< no easing of hover and switches
-  std::string notice;           ///< a refusal or hint to show for a moment, may be empty
+  std::vector<StageLabel> labels;
+  std::string notice;  ///< a refusal or hint to show for a moment, may be empty
 };
 
 /// State of the panels alone (what is folded, the drawer, what is fading out); one struct, passed by reference.
@@ -48,6 +67,7 @@ struct PanelState {
   float card_height = 0;            ///< as measured in the last frame, CSS pixels
   std::optional<Probe> last_probe;  ///< stays while it fades
   std::string last_notice;
+  KnotDrag knot;
   bool slider_held = false;  ///< a gesture is open
   bool list_open = false;    ///< a list of choices, which Escape closes
   bool moving = false;       ///< the last frame was not the last of a transition
@@ -63,10 +83,12 @@ struct PanelOutput {
   std::vector<scene::Command> commands;
   bool begin_gesture = false, end_gesture = false;  ///< a slider was taken, let go
   bool undo = false, redo = false, frame_all = false, reset_patches = false;
+  bool add_point = false, remove_point = false;
   bool wants_frame = false;  ///< something in the interface is still moving
   bool takes_wheel = false;  ///< the card or an open list is longer than its place: a plain wheel over it scrolls it
   std::vector<Widget> widgets;
-  std::vector<std::array<double, 4>> regions;  ///< cards and popups that take pointers, x y width height in CSS pixels
+  std::vector<std::array<double, 4>> readouts;  ///< take no pointers, but the picture keeps clear of them
+  std::vector<std::array<double, 4>> regions;   ///< cards and popups that take pointers, x y width height in CSS pixels
 };
 
 /// Draws panel, clock, probe and notice with ImGui inside a running ImGui frame.

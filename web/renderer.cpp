@@ -42,19 +42,6 @@ class DrawProgram {
   Program program_;
 };
 
-float linear_from_srgb(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
-
-/// OKLab (Ottosson 2020) of an sRGB colour.
-glm::vec3 oklab(const Colour& colour) {
-  const float r = linear_from_srgb(colour[0]), g = linear_from_srgb(colour[1]), b = linear_from_srgb(colour[2]);
-  const float l = std::cbrt(0.4122214708F * r + 0.5363325363F * g + 0.0514459929F * b);
-  const float m = std::cbrt(0.2119034982F * r + 0.6806995451F * g + 0.1073969566F * b);
-  const float s = std::cbrt(0.0883024619F * r + 0.2817188376F * g + 0.6299787005F * b);
-  return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
-          1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
-          0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
-}
-
 /// Model units that a CSS pixel covers at what the camera turns about.
 float pixel_size_at_target(const Picture& picture) {
   return static_cast<float>(picture.view.pixel_size(picture.target));
@@ -231,8 +218,9 @@ void Renderer::draw(const Picture& picture) {
   const View& view = picture.view;
   const glm::mat4 view_projection(view.projection * view.view);
   const auto ratio = static_cast<float>(view.viewport.pixel_ratio);
-  const bool drawable = gl_->surface_index_count > 0 && gl_->maps_size.x > 0 && gl_->hues_size.x > 0;
-  if (drawable && picture.display.surface) draw_shadow(picture);
+  const bool uploaded = gl_->surface_index_count > 0 && gl_->maps_size.x > 0 && gl_->hues_size.x > 0;
+  const bool drawable = picture.surface && uploaded, lit = drawable && picture.display.surface;
+  if (lit) draw_shadow(picture);
 
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, static_cast<GLsizei>(std::lround(view.viewport.width * view.viewport.pixel_ratio)),
@@ -254,12 +242,11 @@ void Renderer::draw(const Picture& picture) {
   glBindVertexArray(gl_->empty_array.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   ++stats_.draw_calls;
-  if (!drawable) return;
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const double above = view.eye.z - picture.floor.height;
-  if (picture.display.surface && above > 0) {
+  if (lit && above > 0) {
     gl_->ground.use();
     gl_->ground.set("u_view_projection", view_projection);
     gl_->ground.set("u_floor", gl_->shadow_floor);
@@ -275,7 +262,7 @@ void Renderer::draw(const Picture& picture) {
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  if (picture.display.surface) {
+  if (lit) {
     const DrawProgram& program = gl_->surface;
     glDisable(GL_BLEND);
     program.use();
@@ -314,7 +301,7 @@ void Renderer::draw(const Picture& picture) {
 
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
-  if (picture.display.local_patches || picture.held) draw_sheets(picture);
+  if (drawable && (picture.display.local_patches || picture.held)) draw_sheets(picture);
   draw_ribbons(picture, picture.ribbons);
   draw_overlay(picture);
   glDepthMask(GL_TRUE);

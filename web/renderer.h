@@ -40,11 +40,12 @@ struct Picture {
   glm::dvec3 target{0};  ///< what the camera turns about
   Theme theme;
   scene::Display display;
+  bool surface = false;  ///< the tables uploaded last are shown
   Floor floor;
   int locals_u = 1, locals_v = 1;           ///< of the maps uploaded last
   bool closed_u = false, closed_v = false;  ///< wraps on the stage
   std::optional<scene::PatchIndex> held;    ///< its support is lit, its own sheet is shown
-  std::vector<Ribbon> ribbons;              ///< frames and normals: hidden by the surface
+  std::vector<Ribbon> ribbons;              ///< frames, normals, curves in this order: hidden by the surface
   std::vector<Ribbon> overlay_ribbons;      ///< the gizmo: faint where hidden
   std::vector<Disc> discs, overlay_discs;
 };

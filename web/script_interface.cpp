@@ -95,11 +95,21 @@ const char* shape_name(const scene::BlendingSurfaceObject& object) {
   return "";
 }
 
-Json parse(std::string_view json) { return Json::parse(json.begin(), json.end(), nullptr, false); }
+std::string curve_at(const scene::Shape& shape, std::span<const double> at, int order) {
+  constexpr int most = 16;
+  if (order < 0 || order > most) return refusal({"order", "The order of derivatives is from 0 to 16."});
+  if (at.size() != 1 || !std::isfinite(at[0]))
+    return refusal({"parameter", "A curve is evaluated at t, a finite number."});
+  std::vector<Eigen::Vector3d> derivatives(static_cast<std::size_t>(order) + 1);
+  scene::spline_of(shape).evaluate(at[0], derivatives);
+  Json list = Json::array();
+  for (const Eigen::Vector3d& derivative : derivatives) list.push_back(array(derivative));
+  return answer(std::move(list));
+}
 
 }  // namespace
 
-std::string answer_document(const App& app) { return answer(parse(scene::write_document(app.document()))); }
+std::string answer_document(const App& app) { return R"({"value":)" + scene::write_document(app.document()) + "}"; }
 
 std::string answer_load(App& app, std::string_view json) {
   Result<scene::Document> document = scene::parse_document(json);
@@ -110,6 +120,7 @@ std::string answer_load(App& app, std::string_view json) {
 std::string answer_parameters(const App& app) {
   Json rows = Json::array();
   for (const scene::Parameter& parameter : scene::parameters()) {
+    if (!scene::applies(app.document(), parameter)) continue;
     Json row = Json::object();
     row["id"] = parameter.id;
     row["label"] = parameter.label;
@@ -139,31 +150,21 @@ std::string answer_parameters(const App& app) {
   return answer(std::move(rows));
 }
 
-std::string answer_set(App& app, std::string_view id, std::string_view json_value) {
-  const Json json = parse(json_value);
-  scene::SetParameter command{std::string(id), false};
-  if (json.is_number()) {
-    command.value = json.get<double>();
-  } else if (json.is_string()) {
-    command.value = json.get<std::string>();
-  } else if (json.is_boolean()) {
-    command.value = json.get<bool>();
-  } else {
-    return refusal({std::string(id), "A value is a finite number, a choice's name, true or false."});
-  }
-  return answer(app.perform(command));
+std::string answer_set(App& app, std::string_view id, const scene::ParameterValue& value) {
+  return answer(app.perform(scene::SetParameter{std::string(id), value}));
 }
 
 std::string answer_handles(App& app) {
+  const scene::Shape& shape = scene::stage_shape(app.document());
   Json handles = Json::array();
   for (const Handle& handle : app.handles()) {
     Json json = Json::object();
-    json["id"] = handle_id(handle.patch);
+    json["id"] = handle_id(shape, handle.index);
     json["object"] = app.document().objects.front().id;
-    json["label"] = "Patch " + std::to_string(handle.patch.first) + ", " + std::to_string(handle.patch.second);
+    json["label"] = handle_name(shape, handle.index);
     json["position"] = array(handle.position);
     json["screen"] = handle.screen ? Json::array({handle.screen->x, handle.screen->y}) : Json();
-    json["selected"] = app.selected() == handle.patch;
+    json["selected"] = app.selected() == handle.index;
     handles.push_back(std::move(json));
   }
   return answer(std::move(handles));
@@ -180,19 +181,19 @@ std::string answer_widgets(const App& app) {
   return answer(std::move(widgets));
 }
 
-std::string answer_evaluate(const App& app, std::string_view object, std::string_view json_parameter, int order) {
+std::string answer_evaluate(const App& app, std::string_view object, std::span<const double> at, int order) {
   const std::vector<scene::Object>& objects = app.document().objects;
   const auto found =
       std::find_if(objects.begin(), objects.end(), [&](const scene::Object& o) { return o.id == object; });
   if (found == objects.end())
     return refusal({"object", "There is no object \"" + std::string(object) + "\" in the document."});
+  if (!std::holds_alternative<scene::BlendingSurfaceObject>(found->shape)) return curve_at(found->shape, at, order);
   if (order < 0 || order > 2) return refusal({"order", "The order of derivatives is 0, 1 or 2."});
-  const Json at = parse(json_parameter);
-  if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number())
+  if (at.size() != 2 || !std::isfinite(at[0]) || !std::isfinite(at[1]))
     return refusal({"parameter", "A surface is evaluated at [u, v], two finite numbers."});
   const BlendingSurface surface =
       scene::build_surface(std::get<scene::BlendingSurfaceObject>(found->shape), app.document().animation);
-  const SurfaceJet jet = surface.evaluate(at[0].get<double>(), at[1].get<double>());
+  const SurfaceJet jet = surface.evaluate(at[0], at[1]);
   Json json = Json::object();
   json["S"] = array(jet.s);
   if (order >= 1) {
@@ -256,27 +257,28 @@ std::string answer_select(App& app, std::string_view handle) {
     app.select(std::nullopt);
     return answer(Json());
   }
-  const std::optional<scene::PatchIndex> patch = handle_patch(handle);
-  const scene::BlendingSurfaceObject& object = scene::blending_surface(app.document());
-  if (!patch || patch->first >= object.locals_u || patch->second >= object.locals_v)
-    return refusal({"handle", "There is no handle \"" + std::string(handle) + "\"."});
-  app.select(patch);
+  const std::optional<HandleIndex> found = find_handle(scene::stage_shape(app.document()), handle);
+  if (!found) return refusal({"handle", "There is no handle \"" + std::string(handle) + "\"."});
+  app.select(found);
   return answer(Json());
 }
 
 std::string answer_state(const App& app) {
-  const scene::BlendingSurfaceObject& object = scene::blending_surface(app.document());
-  const BlendingSurface surface = app.surface_at_rest();
+  const scene::Shape& shape = scene::stage_shape(app.document());
   Json json = Json::object();
   json["canUndo"] = app.history().can_undo();
   json["canRedo"] = app.history().can_redo();
   json["undoLabel"] = app.history().undo_label();
   json["redoLabel"] = app.history().redo_label();
   json["notice"] = app.notice();
-  json["shape"] = shape_name(object);
-  json["selected"] = app.selected() ? handle_id(*app.selected()) : std::string();
-  json["u"] = direction(scene::summary_u(surface), "u");
-  json["v"] = direction(scene::summary_v(surface), "v");
+  json["selected"] = app.selected() ? handle_id(shape, *app.selected()) : std::string();
+  json["surface"] = Json();
+  if (app.shows_surface()) {
+    const BlendingSurface surface = app.surface_at_rest();
+    json["surface"] = {{"shape", shape_name(scene::blending_surface(app.document()))},
+                       {"u", direction(scene::summary_u(surface), "u")},
+                       {"v", direction(scene::summary_v(surface), "v")}};
+  }
   return answer(std::move(json));
 }
 

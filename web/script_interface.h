@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,10 +14,11 @@ namespace knotwork::web {
 std::string answer_document(const App& app);
 std::string answer_load(App& app, std::string_view json);
 std::string answer_parameters(const App& app);
-std::string answer_set(App& app, std::string_view id, std::string_view json_value);
+std::string answer_set(App& app, std::string_view id, const scene::ParameterValue& value);
 std::string answer_handles(App& app);
 std::string answer_widgets(const App& app);
-std::string answer_evaluate(const App& app, std::string_view object, std::string_view json_parameter, int order);
+/// At t of a curve, at u and v of a surface.
+std::string answer_evaluate(const App& app, std::string_view object, std::span<const double> at, int order);
 std::string answer_play(App& app, bool playing);
 std::string answer_seek(App& app, double seconds);
 std::string answer_undo(App& app);

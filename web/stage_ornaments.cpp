@@ -43,9 +43,9 @@ void add_handles(Picture& picture, const std::vector<Handle>& handles, const sce
   const float base = handles.size() > 1200 ? 2.2F : handles.size() > 300 ? 3.6F : handles.size() > 80 ? 5.0F : 6.5F;
   for (const Handle& handle : handles) {
     if (!handle.screen) continue;
-    const bool selected = state.selected == handle.patch;
-    const bool hovered = state.hovered == handle.patch;
-    const Colour hue = scene::patch_hue(scene::patch_hue_index(object, handle.patch), theme.dark);
+    const bool selected = state.selected == handle.index;
+    const bool hovered = state.hovered == handle.index;
+    const Colour hue = scene::patch_hue(scene::patch_hue_index(object, handle.index), theme.dark);
     const Colour rim = mixed(hue, Colour{0, 0, 0}, theme.dark ? 0.0F : 0.12F);
     Disc disc{.centre = glm::vec3(handle.position),
               .radius = base,

@@ -1,5 +1,6 @@
 #include "web/theme.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace knotwork::web {
@@ -10,7 +11,34 @@ constexpr Colour rgb(unsigned hex) {
           static_cast<float>(hex & 255u) / 255.0F};
 }
 
+float linear_from_srgb(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
+
+float srgb_from_linear(float c) {
+  const float limited = std::clamp(c, 0.0F, 1.0F);
+  return limited <= 0.0031308F ? 12.92F * limited : 1.055F * std::pow(limited, 1 / 2.4F) - 0.055F;
+}
+
 }  // namespace
+
+glm::vec3 oklab(const Colour& colour) {
+  const float r = linear_from_srgb(colour[0]), g = linear_from_srgb(colour[1]), b = linear_from_srgb(colour[2]);
+  const float l = std::cbrt(0.4122214708F * r + 0.5363325363F * g + 0.0514459929F * b);
+  const float m = std::cbrt(0.2119034982F * r + 0.6806995451F * g + 0.1073969566F * b);
+  const float s = std::cbrt(0.0883024619F * r + 0.2817188376F * g + 0.6299787005F * b);
+  return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
+          1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
+          0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
+}
+
+Colour srgb(const glm::vec3& oklab) {
+  const auto cube = [](float x) { return x * x * x; };
+  const float l = cube(oklab.x + 0.3963377774F * oklab.y + 0.2158037573F * oklab.z);
+  const float m = cube(oklab.x - 0.1055613458F * oklab.y - 0.0638541728F * oklab.z);
+  const float s = cube(oklab.x - 0.0894841775F * oklab.y - 1.2914855480F * oklab.z);
+  return {srgb_from_linear(4.0767416621F * l - 3.3077115913F * m + 0.2309699292F * s),
+          srgb_from_linear(-1.2684380046F * l + 2.6097574011F * m - 0.3413193965F * s),
+          srgb_from_linear(-0.0041960863F * l - 0.7034186147F * m + 1.7076147010F * s)};
+}
 
 Theme make_theme(bool dark) {
   Theme theme;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "knotwork/scene/palette.h"
 
 namespace knotwork::web {
@@ -15,6 +17,10 @@ struct Theme {
 };
 
 Theme make_theme(bool dark);
+
+/// OKLab (Ottosson 2020) of an sRGB colour: mixtures in it stay clear. Its way back is limited to sRGB.
+glm::vec3 oklab(const Colour& colour);
+Colour srgb(const glm::vec3& oklab);
 
 /// From one colour to another, share 0 to 1, each component for itself.
 Colour mixed(const Colour& from, const Colour& to, float share);

@@ -3,6 +3,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   camera.cpp
   composition.cpp
   gizmo.cpp
+  holding.cpp
   interaction.cpp
   patch_drag.cpp
   theme.cpp)
@@ -11,9 +12,11 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
 set(KNOTWORK_WEB_APP_SOURCES
   app.cpp
   bridge.cpp
+  curve_ornaments.cpp
   gl_objects.cpp
   interface_style.cpp
   interface_widgets.cpp
+  knot_strip.cpp
   main.cpp
   panels.cpp
   renderer.cpp

@@ -2,6 +2,8 @@
 set(KNOTWORK_SCENE_SOURCES
   knotwork/scene/chapters.cpp
   knotwork/scene/commands.cpp
+  knotwork/scene/curve_edits.cpp
+  knotwork/scene/curve_figure.cpp
   knotwork/scene/document.cpp
   knotwork/scene/document_check.cpp
   knotwork/scene/document_json.cpp
@@ -16,11 +18,14 @@ set(KNOTWORK_SCENE_SOURCES
 set(KNOTWORK_SCENE_HEADERS
   knotwork/scene/chapters.h
   knotwork/scene/commands.h
+  knotwork/scene/curve_edits.h
+  knotwork/scene/curve_figure.h
   knotwork/scene/document.h
   knotwork/scene/document_json.h
   knotwork/scene/history.h
   knotwork/scene/limits.h
   knotwork/scene/motion.h
+  knotwork/scene/objects.h
   knotwork/scene/palette.h
   knotwork/scene/parameters.h
   knotwork/scene/picking.h

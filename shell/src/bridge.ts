@@ -52,8 +52,13 @@ export interface State {
   undoLabel: string;
   redoLabel: string;
   notice: string;
-  shape: string;
   selected: string;
+  /// null while a curve is on the stage.
+  surface: SurfaceState | null;
+}
+
+export interface SurfaceState {
+  shape: string;
   u: Direction;
   v: Direction;
 }
@@ -142,7 +147,10 @@ export class Bridge {
     return this.json('knotwork_parameters') as Parameter[];
   }
   set(id: string, value: number | string | boolean): void {
-    this.json('knotwork_set', id, JSON.stringify(value) ?? 'null');
+    if (typeof value === 'string') this.json('knotwork_set_choice', id, value);
+    else if (typeof value === 'boolean') this.json('knotwork_set_toggle', id, Number(value));
+    else if (Number.isFinite(value)) this.json('knotwork_set_number', id, value);
+    else throw new RefusedError("A value is a finite number, a choice's name, true or false.", id);
   }
   handles(): Handle[] {
     return this.json('knotwork_handles') as Handle[];
@@ -151,7 +159,12 @@ export class Bridge {
     return this.json('knotwork_widgets') as Widget[];
   }
   evaluate(object: string, parameter: number | [number, number], order: number): SurfaceJet & Vector3[] {
-    return this.json('knotwork_evaluate', object, JSON.stringify(parameter) ?? 'null', order) as SurfaceJet & Vector3[];
+    const numbers = (Array.isArray(parameter) ? parameter : [parameter]).map((x) => (typeof x === 'number' ? x : NaN));
+    const answer =
+      numbers.length === 2
+        ? this.json('knotwork_evaluate_surface', object, numbers[0]!, numbers[1]!, order)
+        : this.json('knotwork_evaluate_curve', object, Array.isArray(parameter) ? NaN : numbers[0]!, order);
+    return answer as SurfaceJet & Vector3[];
   }
   play(playing: boolean): void {
     this.json('knotwork_play', Number(playing));

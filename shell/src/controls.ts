@@ -5,6 +5,8 @@ import type { Parameter } from './knotwork';
 export interface Control {
   readonly id: string;
   update(parameter: Parameter): void;
+  /// What is on the stage has no such parameter.
+  rest(): void;
 }
 
 export interface Setter {
@@ -17,12 +19,24 @@ let serial = 0;
 
 /// Fills `place` with the control that suits `parameter`.
 export function makeControl(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+  const control = controlFor(place, parameter, setter);
+  let last = parameter;
+  return {
+    id: parameter.id,
+    update: (now) => control.update((last = now)),
+    rest: () => control.update({ ...last, disabled: 'The stage shows something else.' }),
+  };
+}
+
+type Updated = Omit<Control, 'rest'>;
+
+function controlFor(place: HTMLElement, parameter: Parameter, setter: Setter): Updated {
   if (parameter.kind === 'toggle') return makeSwitch(place, parameter, setter);
   if (parameter.kind !== 'choice') return makeRange(place, parameter, setter);
   return parameter.choices.length <= 3 ? makeSegments(place, parameter, setter) : makeSelect(place, parameter, setter);
 }
 
-function makeSegments(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+function makeSegments(place: HTMLElement, parameter: Parameter, setter: Setter): Updated {
   place.dataset['kind'] = 'segments';
   const label = element('span', 'label');
   label.id = `label-${++serial}`;
@@ -68,7 +82,7 @@ function makeSegments(place: HTMLElement, parameter: Parameter, setter: Setter):
   };
 }
 
-function makeSelect(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+function makeSelect(place: HTMLElement, parameter: Parameter, setter: Setter): Updated {
   const select = element('select', '');
   const label = labelFor(select, parameter.label);
   const reason = reasonFor(place);
@@ -94,7 +108,7 @@ function makeSelect(place: HTMLElement, parameter: Parameter, setter: Setter): C
   };
 }
 
-function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Updated {
   const input = element('input', '');
   input.type = 'range';
   const label = labelFor(input, parameter.label);
@@ -135,7 +149,7 @@ function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Co
   };
 }
 
-function makeSwitch(place: HTMLElement, parameter: Parameter, setter: Setter): Control {
+function makeSwitch(place: HTMLElement, parameter: Parameter, setter: Setter): Updated {
   const button = element('button', 'switch', parameter.label);
   button.type = 'button';
   button.setAttribute('role', 'switch');

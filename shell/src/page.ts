@@ -79,9 +79,10 @@ export class Page {
     for (const control of this.controls) {
       const row = rows.get(control.id);
       if (row) control.update(row);
+      else control.rest();
     }
     for (const [phrase, action] of this.phrases) phrase.classList.toggle('done', fulfilled(action, rows));
-    for (const table of this.tables) table.update(state, rows);
+    if (state.surface) for (const table of this.tables) table.update(state.surface, rows);
     for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
     if (state.notice !== this.lastNotice) this.announce(state.notice);

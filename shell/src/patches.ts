@@ -23,14 +23,16 @@ export class PatchList {
 
   /// Asks for the handles only when their number has changed: there may be thousands.
   update(state: State, handles: () => readonly Handle[]): void {
-    const key = `${state.u.locals} ${state.v.locals}`;
+    const { surface } = state;
+    this.select.disabled = !surface;
+    const key = surface ? `${surface.u.locals} ${surface.v.locals}` : '';
     if (key !== this.listed) {
       this.listed = key;
       this.select.replaceChildren(
         new Option('none', ''),
-        ...handles().map((handle) => new Option(handle.label, handle.id)),
+        ...(surface ? handles().map((handle) => new Option(handle.label, handle.id)) : []),
       );
     }
-    if (this.select.value !== state.selected) this.select.value = state.selected;
+    if (surface && this.select.value !== state.selected) this.select.value = state.selected;
   }
 }

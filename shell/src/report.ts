@@ -1,4 +1,4 @@
-import type { Direction, State } from './bridge';
+import type { Direction, SurfaceState } from './bridge';
 import type { Parameter } from './knotwork';
 
 /// The report's table: what opening and closing makes of the counts. The row of the present topology is the module's
@@ -36,7 +36,7 @@ export function direction(letter: 'u' | 'v', topology: Topology, locals: number)
   };
 }
 
-export function rows(state: Pick<State, 'u' | 'v' | 'shape'>, table: ReadonlyMap<string, Parameter>): Row[] {
+export function rows(state: SurfaceState, table: ReadonlyMap<string, Parameter>): Row[] {
   const refusal = (id: string, topology: Topology): string =>
     table.get(id)?.choices.find((choice) => choice.id === topology)?.refused ?? '';
   // Only the sheet takes another shape with another topology.
@@ -98,7 +98,7 @@ export class ReportTable {
     place.replaceChildren(table);
   }
 
-  update(state: State, table: ReadonlyMap<string, Parameter>): void {
+  update(state: SurfaceState, table: ReadonlyMap<string, Parameter>): void {
     rows(state, table).forEach((row, i) => {
       const element = this.rowElements[i]!;
       if (row.current) element.setAttribute('aria-current', 'true');

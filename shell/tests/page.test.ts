@@ -63,7 +63,7 @@ test('values cross the border with the types that bridge.h declares', () => {
   bridge.set('topology.u', 'open');
   bridge.gesture(true);
   assert.deepEqual(calls, [
-    ['knotwork_set', ['string', 'string'], ['topology.u', '"open"']],
+    ['knotwork_set_choice', ['string', 'string'], ['topology.u', 'open']],
     ['knotwork_gesture', ['number'], [1]],
   ]);
 });
@@ -82,7 +82,7 @@ test('an action calls the module, once for each value', () => {
   const [bridge, calls] = recorder();
   run(parseAction('set?topology.u=open&topology.v=closed'), bridge);
   run(parseAction('pause'), bridge);
-  assert.deepEqual(calls.map(([name]) => name), ['knotwork_set', 'knotwork_set', 'knotwork_play']);
+  assert.deepEqual(calls.map(([name]) => name), ['knotwork_set_choice', 'knotwork_set_choice', 'knotwork_play']);
   assert.deepEqual(calls[2]![2], [0]);
 });
 

@@ -62,6 +62,14 @@ const states = {
   prose: async (page) => page.evaluate(() => document.querySelectorAll('h2')[3].scrollIntoView()),
   table: async (page) => page.locator('[data-report]').scrollIntoViewIfNeeded(),
   controls: async (page) => page.locator('[data-parameter="motion.rotation"]').scrollIntoViewIfNeeded(),
+  bezier: async (page) => call(page, 'open', 'bezier-curve'),
+  bspline: async (page) => call(page, 'open', 'bspline-curve'),
+  point: async (page) => {
+    await call(page, 'open', 'bspline-curve');
+    await settled(page);
+    const { screen } = (await call(page, 'handles')).find((handle) => handle.id === 'point-3');
+    await drag(page, screen, plus(screen, [20, -15]));
+  },
   settings: async (page) => {
     await page.evaluate(() => document.querySelectorAll('details').forEach((details) => (details.open = true)));
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));

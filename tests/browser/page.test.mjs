@@ -41,6 +41,18 @@ pageTest('the pixels are a surface before a calm background', { full: true, size
   assert.ok(difference(seen, empty) > 0.1);
 });
 
+pageTest('panel and clock are drawn: cards, words and buttons, not only places to press', { full: true, size: [1200, 800] }, async (page) => {
+  const image = await picture(page, { x: 0, y: 0, width: 1200, height: 800 });
+  const { centre } = await widget(page, 'play');
+  const button = pixel(image, centre[0] - 14, centre[1]);
+  assert.ok(luminance(button) < 0.1, `the play button is ${button}`);
+  const { x, y, width, height } = await widget(page, 'topology.u: closed');
+  const inks = new Set();
+  for (let across = 0; across < width; across += 2) inks.add(luminance(pixel(image, x + across, y + height / 2)).toFixed(1));
+  assert.ok(inks.size > 2, `the chosen word is ${[...inks]}`);
+  assert.ok(luminance(pixel(image, x + width / 2, y - 6)) > 0.9, 'the card is not white');
+});
+
 pageTest('patch colours are clearly different hues', { full: true, size: [1200, 800] }, async (page) => {
   await call(page, 'set', 'display.handles', false);
   await call(page, 'set', 'display.knots', false);

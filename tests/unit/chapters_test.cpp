@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "knotwork/scene/curve_figure.h"
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/parameters.h"
 #include "knotwork/scene/surface_builder.h"
@@ -23,9 +24,16 @@ TEST_CASE("chapters: every row opens a document that is valid, can be saved and 
     const Result<Document> again = parse_document(write_document(document));
     REQUIRE(again);
     CHECK(again.value() == document);
-    CHECK(build_surface(blending_surface(document), document.animation).evaluate(0, 0).s.allFinite());
+    const Shape& shape = stage_shape(document);
+    if (const auto* surface = std::get_if<BlendingSurfaceObject>(&shape))
+      CHECK(build_surface(*surface, document.animation).evaluate(0, 0).s.allFinite());
+    else
+      CHECK(spline_of(shape)(0.3).allFinite());
     CHECK_FALSE(chapter.parameters.empty());
-    for (std::string_view id : chapter.parameters) CHECK(find_parameter(id) != nullptr);
+    for (std::string_view id : chapter.parameters) {
+      REQUIRE(find_parameter(id) != nullptr);
+      CHECK(applies(document, *find_parameter(id)));
+    }
   }
   CHECK(find_chapter("no-such-chapter") == nullptr);
 }

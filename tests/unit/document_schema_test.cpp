@@ -85,12 +85,33 @@ class SchemaComparison {
     }
   }
 
-  template <class T>
-  void list(std::string_view name, const std::vector<T>&, const Limits& count) {
+  /// Every kind of object, by its kind.
+  void list(std::string_view name, const std::vector<Object>&, const Limits& count) {
     const Json& schema = member(name);
     counted(schema, count);
-    const T item{};
-    object(resolved(schema["items"]), [&] { members(*this, item); });
+    const Json& alternatives = schema["items"]["oneOf"];
+    expect(alternatives.size() == shape_kinds().size(), "oneOf");
+    for (std::size_t kind = 0; kind < shape_kinds().size(); ++kind) {
+      for (const Json& reference : alternatives) {
+        const Json& alternative = resolved(reference);
+        if (alternative["properties"]["kind"]["const"] != std::string(shape_kinds()[kind].id)) continue;
+        const Object item{"object", "Object", make_shape(static_cast<ShapeKind>(kind))};
+        object(alternative, [&] { members(*this, item); });
+        ++shapes_;
+      }
+    }
+  }
+
+  void points(std::string_view name, const std::vector<Eigen::Vector3d>&, const Limits& count) {
+    const Json& schema = member(name);
+    counted(schema, count);
+    const Json point = resolved(schema.value("items", Json::object()));
+    numbers(point, 3, limits::coordinate);
+  }
+  void numbers(std::string_view name, const std::vector<double>&, const Limits& count) {
+    const Json& schema = member(name);
+    counted(schema, count);
+    numeric(schema.value("items", Json::object()), "number", limits::coordinate);
   }
 
   void patches(std::string_view name, const std::map<PatchIndex, PatchEdit>&, const Limits& count) {
@@ -103,6 +124,7 @@ class SchemaComparison {
 
   int compared() const { return compared_; }
   int models() const { return models_; }
+  int shapes() const { return shapes_; }
   const std::string& differences() const { return differences_; }
 
  private:
@@ -145,7 +167,7 @@ class SchemaComparison {
   const Json* schema_;
   std::set<std::string> names_;
   std::string last_, differences_;
-  int compared_ = 0, models_ = 0;
+  int compared_ = 0, models_ = 0, shapes_ = 0;
 };
 
 Json load_schema() {
@@ -170,6 +192,7 @@ TEST_CASE("document schema: members, limits and choices are those of the code") 
   comparison.object(schema, [&] { members(comparison, document); });
   CHECK(comparison.differences() == "");
   CHECK(comparison.models() == 4);
+  CHECK(comparison.shapes() == 3);
   CHECK(comparison.compared() > 150);
 }
 

@@ -36,14 +36,17 @@ void touch(Reader& reader) { reader.device = PointerDevice::touch; }
 }  // namespace
 
 TEST_CASE("handle ids") {
-  CHECK(handle_id({2, 1}) == "patch-2-1");
-  CHECK(handle_patch("patch-2-1") == scene::PatchIndex(2, 1));
-  CHECK(handle_patch("patch-0-127") == scene::PatchIndex(0, 127));
+  scene::BlendingSurfaceObject many;
+  many.locals_u = many.locals_v = 128;
+  const scene::Shape surface = many;
+  CHECK(handle_id(surface, {2, 1}) == "patch-2-1");
+  CHECK(find_handle(surface, "patch-2-1") == scene::PatchIndex(2, 1));
+  CHECK(find_handle(surface, "patch-0-127") == scene::PatchIndex(0, 127));
   for (const char* wrong :
        {"", "patch", "patch-", "patch-2", "patch-2-", "patch--2-1", "patch-2--1", "patch-2-1-", "patch-2-1 ",
         "patch-02-1", "patch-+2-1", "Patch-2-1", "patch-2-99999999999", "patch-a-b"}) {
     CAPTURE(wrong);
-    CHECK_FALSE(handle_patch(wrong).has_value());
+    CHECK_FALSE(find_handle(surface, wrong).has_value());
   }
 }
 
@@ -560,7 +563,7 @@ TEST_CASE("of two handles the visible one is held, then the nearer") {
   };
   const auto held = [&](std::vector<Handle> handles) {
     InteractionState state;
-    const Stage stage{reader.document, reader.surface, reader.net, reader.view, handles};
+    const Stage stage{reader.document, &reader.surface, nullptr, reader.net, reader.view, handles};
     pointer(state, stage, {PointerType::down, 1, reader.device, at, 0, {}, 0});
     return state.selected;
   };

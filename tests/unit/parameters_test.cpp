@@ -19,6 +19,15 @@ Document with(std::string id, ParameterValue value, Document document = start())
   return document;
 }
 
+/// The start document of a chapter that the row is about, in a state in which it can be set.
+Document document_for(const Parameter& row) {
+  if (row.id == "blending.parameter") return with("blending.function", "rational");
+  for (const Chapter& chapter : chapters())
+    if (applies(chapter.start_document(), row)) return chapter.start_document();
+  FAIL("no chapter has " << row.id);
+  return {};
+}
+
 /// The message of a value that must be refused and change nothing.
 std::string refusal(const std::string& id, ParameterValue value, Document document = start()) {
   CAPTURE(id);
@@ -33,18 +42,39 @@ std::string refusal(const std::string& id, ParameterValue value, Document docume
 }  // namespace
 
 TEST_CASE("parameters: the table has exactly the promised rows, each complete") {
-  const std::set<std::string_view> promised{"topology.u",         "topology.v",         "model",
-                                            "locals.u",           "locals.v",           "blending.function",
-                                            "blending.parameter", "samples.u",          "samples.v",
-                                            "display.surface",    "display.colours",    "display.knots",
-                                            "display.wireframe",  "display.locals",     "display.frames",
-                                            "display.normals",    "display.handles",    "animation.playing",
-                                            "animation.time",     "animation.speed",    "motion.kind",
-                                            "motion.amplitude",   "motion.translation", "motion.rotation"};
+  const std::set<std::string_view> promised{"topology.u",
+                                            "topology.v",
+                                            "model",
+                                            "locals.u",
+                                            "locals.v",
+                                            "blending.function",
+                                            "blending.parameter",
+                                            "samples.u",
+                                            "samples.v",
+                                            "display.surface",
+                                            "display.colours",
+                                            "display.knots",
+                                            "display.wireframe",
+                                            "display.locals",
+                                            "display.frames",
+                                            "display.normals",
+                                            "display.handles",
+                                            "animation.playing",
+                                            "animation.time",
+                                            "animation.speed",
+                                            "motion.kind",
+                                            "motion.amplitude",
+                                            "motion.translation",
+                                            "motion.rotation",
+                                            "curve.topology",
+                                            "curve.degree",
+                                            "curve.parameter",
+                                            "display.polygon",
+                                            "display.construction"};
   std::set<std::string_view> ids;
-  const Document document = start();
   for (const Parameter& row : parameters()) {
     CAPTURE(row.id);
+    const Document document = document_for(row);
     CHECK(ids.insert(row.id).second);
     CHECK(find_parameter(row.id) == &row);
     CHECK_FALSE(row.label.empty());
@@ -69,8 +99,7 @@ TEST_CASE("parameters: the table has exactly the promised rows, each complete") 
 TEST_CASE("parameters: every row sets what it gets, and nothing else changes it back") {
   for (const Parameter& row : parameters()) {
     CAPTURE(row.id);
-    Document document = start();
-    if (row.id == "blending.parameter") document = with("blending.function", "rational", document);
+    Document document = document_for(row);
     const auto sets = [&](const ParameterValue& value) {
       CHECK(row.set(document, value));
       CHECK(row.get(document) == value);
@@ -94,8 +123,7 @@ TEST_CASE("parameters: values out of range, of a wrong type or not finite are re
   for (const Parameter& row : parameters()) {
     CAPTURE(row.id);
     const std::string id(row.id);
-    Document document = start();
-    if (row.id == "blending.parameter") document = with("blending.function", "rational", document);
+    const Document document = document_for(row);
     if (row.kind == ParameterKind::number || row.kind == ParameterKind::integer) {
       const Limits range = range_of(document, row);
       for (double x : {nan, inf, -inf, range.min - 0.001, range.max + 0.001, 1e300}) {
@@ -105,14 +133,15 @@ TEST_CASE("parameters: values out of range, of a wrong type or not finite are re
       CHECK(refusal(id, true, document) != "accepted");
       if (row.kind == ParameterKind::integer) CHECK(refusal(id, range.min + 0.5, document) != "accepted");
     } else if (row.kind == ParameterKind::choice) {
-      CHECK(refusal(id, "no such choice") != "accepted");
-      CHECK(refusal(id, 1.0) != "accepted");
-      CHECK(refusal(id, true) != "accepted");
+      CHECK(refusal(id, "no such choice", document) != "accepted");
+      CHECK(refusal(id, 1.0, document) != "accepted");
+      CHECK(refusal(id, true, document) != "accepted");
     } else {
-      CHECK(refusal(id, 1.0) == "Must be true or false.");
-      CHECK(refusal(id, "true") == "Must be true or false.");
+      CHECK(refusal(id, 1.0, document) == "Must be true or false.");
+      CHECK(refusal(id, "true", document) == "Must be true or false.");
     }
   }
+  CHECK(refusal("curve.degree", 3.0) == "What is on the stage has no such parameter.");
   CHECK(refusal("locals.u", 1e9) == "Must be a whole number from 2 to 128.");
   CHECK(refusal("animation.speed", 5.0) == "Must be a number from 0.1 to 4.");
   CHECK(refusal("topology.u", "ajar") == "Must be open or closed.");

@@ -79,7 +79,7 @@ TEST_CASE("document_origin is where the builder puts the handle, whatever the an
     Reader reader(document);
     const PatchScene scene{reader.object(), reader.document.animation, reader.surface, reader.view};
     for (const Handle& handle : reader.handles) {
-      CHECK(glm::length(document_origin(scene, handle.patch) - handle.position) < 1e-14);
+      CHECK(glm::length(document_origin(scene, handle.index) - handle.position) < 1e-14);
     }
     // The surface of an earlier frame serves as well.
     reader.document.animation.time = 2.9;

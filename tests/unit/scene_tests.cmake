@@ -6,6 +6,8 @@
 set(KNOTWORK_SCENE_TESTS
   unit/chapters_test.cpp
   unit/commands_test.cpp
+  unit/curve_edits_test.cpp
+  unit/curve_figure_test.cpp
   unit/document_json_test.cpp
   unit/document_schema_test.cpp
   unit/history_test.cpp

@@ -57,14 +57,14 @@ struct Reader {
       for (int j = 0; j < object().locals_v; ++j) {
         Handle handle{{i, j}, to_glm(scene::patch_origin(surface, {i, j})), std::nullopt, false};
         handle.screen = view.project(handle.position);
-        const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(surface, handle.patch))[2];
+        const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(surface, handle.index))[2];
         handle.hidden = glm::dot(normal, view.eye - handle.position) < 0;
         handles.push_back(handle);
       }
     }
   }
 
-  Stage stage() const { return {document, surface, net, view, handles}; }
+  Stage stage() const { return {document, &surface, nullptr, net, view, handles}; }
 
   Outcome happen(Outcome outcome) {
     if (outcome.begin_gesture) {
@@ -125,7 +125,7 @@ struct Reader {
     for (const Handle& handle : handles) {
       if (!handle.screen || handle.hidden) continue;
       const glm::dvec2 off = glm::abs(glm::dvec2(*handle.screen) - area.centre);
-      if (off.x < 0.45 * area.size.x && off.y < 0.45 * area.size.y && skip-- == 0) return handle.patch;
+      if (off.x < 0.45 * area.size.x && off.y < 0.45 * area.size.y && skip-- == 0) return handle.index;
     }
     FAIL("no visible handle");
     return {0, 0};

@@ -1,6 +1,7 @@
 #include "knotwork/scene/chapters.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace knotwork::scene {
 
@@ -25,6 +26,37 @@ Document blending_surface_start() {
   return document;
 }
 
+/// A flat figure seen from above, y upwards.
+Document flat_start(std::string id, Shape shape, Eigen::Vector3d middle) {
+  Document document;
+  document.objects.push_back({std::move(id), std::string(shape_kinds()[shape.index()].label), std::move(shape)});
+  document.camera.target = middle;
+  document.camera.distance = 16;
+  document.camera.azimuth = -std::numbers::pi / 2;
+  document.camera.elevation = 1.5533;
+  return document;
+}
+
+Document bezier_curve_start() {
+  BezierCurveObject curve;
+  curve.points = {{0, 0, 0}, {1, 3, 0}, {4.2, 3.6, 0}, {5.5, 0.4, 0}};
+  curve.parameter = 0.4;
+  return flat_start("curve", curve, {2.75, 1.8, 0});
+}
+
+/// The report's seven points under clamped, evenly spaced knots.
+Document bspline_curve_start() {
+  BSplineCurveObject curve;
+  curve.degree = 3;
+  curve.points = {{5, 2, 8}, {2, 9, 2}, {2, 3, 4}, {3, 4, 5}, {3, 6, 0}, {1, 4, 0}, {5, 8, 3}};
+  curve.knots = {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4};
+  curve.parameter = 0.4;
+  Document document = flat_start("curve", curve, {3, 5.5, 4});
+  document.camera.azimuth = -1.1;
+  document.camera.elevation = 0.3;
+  return document;
+}
+
 }  // namespace
 
 std::span<const Chapter> chapters() {
@@ -33,6 +65,8 @@ std::span<const Chapter> chapters() {
        "Blending surfaces",
        blending_surface_start,
        {"topology.u", "topology.v", "locals.u", "locals.v", "blending.function", "animation.playing"}},
+      {"bezier-curve", "Bézier curves", bezier_curve_start, {"curve.parameter"}},
+      {"bspline-curve", "B-spline curves", bspline_curve_start, {"curve.degree", "curve.topology", "curve.parameter"}},
   };
   return table;
 }

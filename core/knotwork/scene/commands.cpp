@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/messages.h"
 
 namespace knotwork::scene {
@@ -15,15 +16,20 @@ struct Overloaded : Fs... {
 template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
 
+Error no_patches() { return {"patch", "What is on the stage has no local patches."}; }
+
 Status perform(Document& document, const SetParameter& command) {
   const Parameter* parameter = find_parameter(command.id);
   if (parameter == nullptr) return Error{command.id, "There is no parameter of this name."};
+  if (!applies(document, *parameter)) return Error{command.id, "What is on the stage has no such parameter."};
   const Status status = parameter->set(document, command.value);
   return status ? success() : Status(Error{command.id, status.error().message});
 }
 
 Status perform(Document& document, const SetPatchEdit& command) {
-  BlendingSurfaceObject& object = blending_surface(document);
+  auto* surface = std::get_if<BlendingSurfaceObject>(&stage_shape(document));
+  if (surface == nullptr) return no_patches();
+  BlendingSurfaceObject& object = *surface;
   const auto [i, j] = command.patch;
   if (i < 0 || i >= object.locals_u || j < 0 || j >= object.locals_v) {
     return Error{"patch", "There is no patch " + std::to_string(i) + ", " + std::to_string(j) + "."};
@@ -38,8 +44,28 @@ Status perform(Document& document, const SetPatchEdit& command) {
 }
 
 Status perform(Document& document, const ResetPatches&) {
-  blending_surface(document).edits.clear();
+  auto* surface = std::get_if<BlendingSurfaceObject>(&stage_shape(document));
+  if (surface == nullptr) return no_patches();
+  surface->edits.clear();
   return success();
+}
+
+Status perform(Document& document, const SetPoint& command) {
+  return set_point(stage_shape(document), command.index, command.position);
+}
+
+Status perform(Document& document, const InsertPoint& command) {
+  return insert_point(stage_shape(document), command.index, command.position);
+}
+
+Status perform(Document& document, const RemovePoint& command) {
+  return remove_point(stage_shape(document), command.index);
+}
+
+Status perform(Document& document, const SetKnot& command) {
+  auto* curve = std::get_if<BSplineCurveObject>(&stage_shape(document));
+  if (curve == nullptr) return Error{"index", "What is on the stage has no knots to be moved."};
+  return set_knot(*curve, command.index, command.value);
 }
 
 Status perform(Document& document, const SetCamera& command) {
@@ -80,6 +106,7 @@ std::string describe(const SetParameter& command) {
   if (parameter == nullptr) return "Set " + command.id;
   const std::string label(parameter->label), value = describe_value(*parameter, command.value);
   if (parameter->group == "Topology") {
+    if (parameter->id == "curve.topology") return value == "closed" ? "Close the curve" : "Open the curve";
     if (parameter->id == "model") return "Change the model to " + value;
     return (value == "closed" ? "Close " : "Open ") + label;
   }
@@ -94,6 +121,10 @@ std::string describe(const SetPatchEdit& command) {
 }
 
 std::string describe(const ResetPatches&) { return "Reset all patches"; }
+std::string describe(const SetPoint& command) { return "Move point " + std::to_string(command.index); }
+std::string describe(const InsertPoint& command) { return "Add point " + std::to_string(command.index); }
+std::string describe(const RemovePoint& command) { return "Delete point " + std::to_string(command.index); }
+std::string describe(const SetKnot& command) { return "Move knot " + std::to_string(command.index); }
 std::string describe(const SetCamera&) { return "Move the camera"; }
 std::string describe(const LoadDocument&) { return "Load a document"; }
 std::string describe(const AdvanceClock&) { return "Advance the clock"; }

@@ -18,6 +18,23 @@ struct SetPatchEdit {
   PatchEdit edit;
 };
 struct ResetPatches {};
+/// A point of the curve on the stage; what its knots do is said in curve_edits.h.
+struct SetPoint {
+  int index;
+  Eigen::Vector3d position;
+};
+struct InsertPoint {
+  int index;  ///< of the new point
+  Eigen::Vector3d position;
+};
+struct RemovePoint {
+  int index;
+};
+/// Knot t_index of the B-spline curve on the stage.
+struct SetKnot {
+  int index;
+  double value;
+};
 struct SetCamera {
   Camera camera;
 };
@@ -29,7 +46,8 @@ struct AdvanceClock {
   double seconds;
 };
 
-using Command = std::variant<SetParameter, SetPatchEdit, ResetPatches, SetCamera, LoadDocument, AdvanceClock>;
+using Command = std::variant<SetParameter, SetPatchEdit, ResetPatches, SetPoint, InsertPoint, RemovePoint, SetKnot,
+                             SetCamera, LoadDocument, AdvanceClock>;
 
 /// The only way a document changes. On an error nothing has changed.
 Status apply(Document& document, const Command& command);

@@ -1,8 +1,6 @@
 #include "knotwork/scene/document.h"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 
 #include "knotwork/scene/document_members.h"
 
@@ -15,6 +13,12 @@ constexpr std::array<ModelRow, 4> model_table{{
     {ModelKind::plane, "plane", "Plane"},
     {ModelKind::cylinder, "cylinder", "Cylinder"},
     {ModelKind::torus, "torus", "Torus"},
+}};
+
+constexpr std::array<ShapeRow, std::variant_size_v<Shape>> shape_table{{
+    {"blendingSurface", "Blending surface"},
+    {"bezierCurve", "Bézier curve"},
+    {"bsplineCurve", "B-spline curve"},
 }};
 
 }  // namespace
@@ -58,17 +62,18 @@ bool closes_v(const ModelSurface& model) {
   return model_kind(model) == ModelKind::sheet || domain(model).closure_v == Topology::closed;
 }
 
-const BlendingSurfaceObject& blending_surface(const Document& document) {
-  const auto holds_one = [](const Object& object) {
-    return std::holds_alternative<BlendingSurfaceObject>(object.shape);
-  };
-  const auto found = std::find_if(document.objects.begin(), document.objects.end(), holds_one);
-  assert(found != document.objects.end() && "a checked document holds a blending surface");
-  return *std::get_if<BlendingSurfaceObject>(&found->shape);
-}
+std::span<const ShapeRow> shape_kinds() { return shape_table; }
 
-BlendingSurfaceObject& blending_surface(Document& document) {
-  return const_cast<BlendingSurfaceObject&>(blending_surface(std::as_const(document)));
+Shape make_shape(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::bezier_curve:
+      return BezierCurveObject{};
+    case ShapeKind::bspline_curve:
+      return BSplineCurveObject{};
+    case ShapeKind::blending_surface:
+      break;
+  }
+  return BlendingSurfaceObject{};
 }
 
 ChoiceIds ids_of(Topology) {
@@ -81,6 +86,10 @@ ChoiceIds ids_of(MotionKind) {
 
 ChoiceIds ids_of(ModelKind) {
   return {static_cast<int>(model_table.size()), [](int i) { return model_table[static_cast<std::size_t>(i)].id; }};
+}
+
+ChoiceIds ids_of(ShapeKind) {
+  return {static_cast<int>(shape_table.size()), [](int i) { return shape_table[static_cast<std::size_t>(i)].id; }};
 }
 
 ChoiceIds ids_of(BlendingKind) {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <set>
 
+#include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/document.h"
 #include "knotwork/scene/document_members.h"
 #include "knotwork/scene/messages.h"
@@ -79,6 +80,18 @@ class Checker {
     for (const T& item : items) group(element(name, index++), [&] { members(*this, item); });
   }
 
+  void points(std::string_view name, const std::vector<Eigen::Vector3d>& points, const Limits& count) {
+    if (!count.contains(static_cast<double>(points.size()))) fail(name, count_message(count));
+    int index = 0;
+    for (const Eigen::Vector3d& point : points) vector(element(name, index++), point, limits::coordinate);
+  }
+
+  void numbers(std::string_view name, const std::vector<double>& values, const Limits& count) {
+    if (!count.contains(static_cast<double>(values.size()))) fail(name, count_message(count));
+    int index = 0;
+    for (const double value : values) number(element(name, index++), value, limits::coordinate);
+  }
+
   void patches(std::string_view name, const std::map<PatchIndex, PatchEdit>& edits, const Limits& count) {
     patch_count_ += edits.size();
     if (!count.contains(static_cast<double>(patch_count_))) fail(name, count_message(count));
@@ -150,6 +163,13 @@ void check_together(Checker& checker, const BlendingSurfaceObject& object) {
   if (range.max > 0 && !range.contains(object.blending_parameter)) {
     checker.fail("blending.parameter", integer_message(range));
   }
+}
+
+void check_together(Checker&, const BezierCurveObject&) {}
+
+void check_together(Checker& checker, const BSplineCurveObject& object) {
+  if (const Result<BSplineCurve> curve = build_curve(object); !curve)
+    checker.fail(curve.error().path, curve.error().message);
 }
 
 }  // namespace

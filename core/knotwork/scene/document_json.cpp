@@ -192,10 +192,12 @@ class Reader {
     value = static_cast<E>(index);
   }
 
-  void vector(std::string_view name, Eigen::Vector3d& v, const Limits& range) { numbers(name, v.data(), 3, range); }
+  void vector(std::string_view name, Eigen::Vector3d& v, const Limits& range) {
+    coordinates(member(name), name, v.data(), 3, range);
+  }
 
   void quaternion(std::string_view name, Eigen::Quaterniond& q, const Limits& range) {
-    numbers(name, q.coeffs().data(), 4, range);
+    coordinates(member(name), name, q.coeffs().data(), 4, range);
   }
 
   template <class F>
@@ -210,6 +212,29 @@ class Reader {
     for (const Json& item : *node) {
       items.emplace_back();
       inside(element(name, items.size() - 1), item, [&] { members(*this, items.back()); });
+      if (!ok()) return;
+    }
+  }
+
+  void points(std::string_view name, std::vector<Eigen::Vector3d>& points, const Limits&) {
+    const Json* node = array(name);
+    if (node == nullptr) return;
+    points.clear();
+    for (const Json& item : *node) {
+      const std::string place = element(name, points.size());
+      points.emplace_back();
+      coordinates(&item, place, points.back().data(), 3, limits::coordinate);
+      if (!ok()) return;
+    }
+  }
+
+  void numbers(std::string_view name, std::vector<double>& values, const Limits&) {
+    const Json* node = array(name);
+    if (node == nullptr) return;
+    values.clear();
+    for (const Json& item : *node) {
+      values.emplace_back();
+      read_number(&item, element(name, values.size() - 1), values.back(), limits::coordinate);
       if (!ok()) return;
     }
   }
@@ -243,8 +268,9 @@ class Reader {
     return nullptr;
   }
 
-  const Json* array(std::string_view name) {
-    const Json* node = member(name);
+  const Json* array(std::string_view name) { return array(member(name), name); }
+
+  const Json* array(const Json* node, std::string_view name) {
     if (node == nullptr || node->is_array()) return node;
     fail(name, "Must be a list.");
     return nullptr;
@@ -284,8 +310,9 @@ class Reader {
     if (const std::optional<double> number = number_in(node, name, number_message(range))) value = *number;
   }
 
-  void numbers(std::string_view name, double* values, std::size_t count, const Limits& range) {
-    const Json* node = array(name);
+  /// `count` numbers in a list.
+  void coordinates(const Json* list, std::string_view name, double* values, std::size_t count, const Limits& range) {
+    const Json* node = array(list, name);
     if (node == nullptr) return;
     if (node->size() != count) return fail(name, "Must be a list of " + std::to_string(count) + " numbers.");
     std::size_t index = 0;
@@ -324,9 +351,26 @@ class Writer {
     leaf(name, Json(id_of(value)));
   }
 
-  void vector(std::string_view name, const Eigen::Vector3d& v, const Limits&) { numbers(name, {v.data(), 3}); }
+  void vector(std::string_view name, const Eigen::Vector3d& v, const Limits&) {
+    begin(name);
+    numbers({v.data(), 3});
+  }
   void quaternion(std::string_view name, const Eigen::Quaterniond& q, const Limits&) {
-    numbers(name, {q.coeffs().data(), 4});
+    begin(name);
+    numbers({q.coeffs().data(), 4});
+  }
+  void points(std::string_view name, const std::vector<Eigen::Vector3d>& points, const Limits&) {
+    begin(name);
+    text_ += '[';
+    for (const Eigen::Vector3d& point : points) {
+      if (text_.back() != '[') text_ += ',';
+      numbers({point.data(), 3});
+    }
+    text_ += ']';
+  }
+  void numbers(std::string_view name, const std::vector<double>& values, const Limits&) {
+    begin(name);
+    numbers(values);
   }
 
   template <class F>
@@ -377,8 +421,7 @@ class Writer {
     text_ += ']';
   }
 
-  void numbers(std::string_view name, std::span<const double> values) {
-    begin(name);
+  void numbers(std::span<const double> values) {
     text_ += '[';
     for (double x : values) {
       if (text_.back() != '[') text_ += ',';

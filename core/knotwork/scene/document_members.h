@@ -19,6 +19,7 @@
 ///   group(name, f)                    an object whose members f visits
 ///   list(name, vector, limits)        limits of the count
 ///   patches(name, map, limits)
+///   points(name, vector of Vector3d, limits of the count)   numbers(name, vector of double, limits of the count)
 namespace knotwork::scene {
 
 template <class T, class U>
@@ -30,6 +31,7 @@ struct ChoiceIds {
   std::string_view (*id)(int);
 };
 ChoiceIds ids_of(Topology);
+ChoiceIds ids_of(ShapeKind);
 ChoiceIds ids_of(ModelKind);
 ChoiceIds ids_of(BlendingKind);
 ChoiceIds ids_of(MotionKind);
@@ -101,7 +103,6 @@ void members(Io& io, Is<ModelSurface> auto& model) {
 
 template <class Io>
 void members(Io& io, Is<BlendingSurfaceObject> auto& object) {
-  io.constant("kind", "blendingSurface");
   io.group("model", [&] { members(io, object.model); });
   io.group("topology", [&] {
     io.choice("u", object.topology_u);
@@ -123,9 +124,30 @@ void members(Io& io, Is<BlendingSurfaceObject> auto& object) {
 }
 
 template <class Io>
+void members(Io& io, Is<BezierCurveObject> auto& object) {
+  io.points("points", object.points, limits::bezier_points);
+  io.number("parameter", object.parameter, limits::share);
+}
+
+template <class Io>
+void members(Io& io, Is<BSplineCurveObject> auto& object) {
+  io.integer("degree", object.degree, limits::degree);
+  io.choice("topology", object.topology);
+  io.numbers("knots", object.knots, limits::knots);
+  io.points("points", object.points, limits::points);
+  io.number("parameter", object.parameter, limits::share);
+}
+
+/// The kind before the shape, as with models.
+template <class Io>
 void members(Io& io, Is<Object> auto& object) {
   io.text("id", object.id, limits::id_length, true);
   io.text("label", object.label, limits::label_length, false);
+  ShapeKind kind = object.kind();
+  io.choice("kind", kind);
+  if constexpr (Io::reads) {
+    if (kind != object.kind()) object.shape = make_shape(kind);
+  }
   std::visit([&io](auto& shape) { members(io, shape); }, object.shape);
 }
 
@@ -147,6 +169,8 @@ void members(Io& io, Is<Display> auto& display) {
   io.toggle("frames", display.frames);
   io.toggle("normals", display.normals);
   io.toggle("handles", display.handles);
+  io.toggle("polygon", display.polygon);
+  io.toggle("construction", display.construction);
 }
 
 template <class Io>

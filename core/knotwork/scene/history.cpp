@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "knotwork/scene/curve_edits.h"
+
 namespace knotwork::scene {
 
 namespace {
@@ -31,8 +33,10 @@ std::size_t bytes(const Document& document) {
   std::size_t sum = sizeof document;
   for (const Object& object : document.objects) {
     sum += sizeof object + object.id.size() + object.label.size();
-    const auto& edits = std::get<BlendingSurfaceObject>(object.shape).edits;
-    sum += edits.size() * (sizeof(std::pair<PatchIndex, PatchEdit>) + 4 * sizeof(void*));
+    if (const auto* surface = std::get_if<BlendingSurfaceObject>(&object.shape))
+      sum += surface->edits.size() * (sizeof(std::pair<PatchIndex, PatchEdit>) + 4 * sizeof(void*));
+    else
+      sum += curve_points(object.shape).size() * 2 * sizeof(Eigen::Vector3d);  // knots are fewer than points by far
   }
   return sum;
 }

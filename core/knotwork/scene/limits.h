@@ -14,6 +14,8 @@ inline constexpr int min_locals = 2, max_locals = 128;     ///< local surfaces i
 inline constexpr int min_samples = 8, max_samples = 1024;  ///< steps in one direction
 inline constexpr double max_coordinate = 1e6;              ///< model units, any coordinate or length
 inline constexpr double min_length = 1e-3;                 ///< model units, radii, heights and the camera's distance
+inline constexpr int max_points = 512;                     ///< control points of a curve on the stage
+inline constexpr int max_degree = 9;                       ///< of a B-spline curve on the stage
 inline constexpr double clock_period = 6.283185307179586;  ///< every motion repeats after 2 pi
 
 namespace limits {
@@ -32,6 +34,10 @@ inline constexpr Limits elapsed{0, 1e9};                  ///< seconds of real t
 inline constexpr Limits speed{0.1, 4};                    ///< seconds of the clock a second
 inline constexpr Limits amplitude{0, 3};                  ///< model units (a second, for the report's motion)
 inline constexpr Limits share{0, 1};
+inline constexpr Limits degree{1, max_degree};
+inline constexpr Limits bezier_points{2, 17};  ///< degree 16 at most
+inline constexpr Limits points{2, max_points};
+inline constexpr Limits knots{4, max_points + 2 * max_degree + 1};
 inline constexpr Limits objects{1, 16};  ///< how many in a document
 inline constexpr Limits patches{0, max_locals* max_locals};
 inline constexpr Limits id_length{1, 64}, label_length{0, 200};  ///< characters

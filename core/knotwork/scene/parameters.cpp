@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/document_members.h"
 #include "knotwork/scene/messages.h"
 
@@ -29,6 +30,11 @@ auto& field(D& document) {
 
 std::string never_disabled(const Document&) { return {}; }
 
+template <class... Objects>
+bool on_stage(const Document& document) {
+  return (std::holds_alternative<Objects>(stage_shape(document)) || ...);
+}
+
 /// The index of the choice, or the sentence about what may be chosen.
 Result<int> choice_index(const ChoiceIds& ids, const ParameterValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
@@ -39,6 +45,7 @@ Result<int> choice_index(const ChoiceIds& ids, const ParameterValue& value) {
 
 Parameter row(std::string_view id, std::string_view label, std::string_view group, ParameterKind kind) {
   Parameter row;
+  row.applies = on_stage<BlendingSurfaceObject>;
   row.id = id;
   row.label = label;
   row.group = group;
@@ -219,8 +226,100 @@ Parameter without_history(Parameter row) {
   return row;
 }
 
+/// A row that is about other shapes than the blending surface alone.
+template <class... Objects>
+Parameter about(Parameter row) {
+  row.applies = on_stage<Objects...>;
+  return row;
+}
+
+/// Degree and topology of a B-spline curve, which take new knots with them.
+BSplineCurveObject& bspline(Document& document) { return *std::get_if<BSplineCurveObject>(&stage_shape(document)); }
+const BSplineCurveObject& bspline(const Document& document) {
+  return *std::get_if<BSplineCurveObject>(&stage_shape(document));
+}
+
+/// The error of an edit as a parameter's: apply() says which.
+Status without_path(const Status& status) { return status ? success() : Status(Error{"", status.error().message}); }
+
+Limits degrees_of(const Document& document) {
+  const BSplineCurveObject& curve = bspline(document);
+  const auto points = static_cast<double>(curve.points.size());
+  const double most = curve.topology == Topology::closed ? points : points - 1;
+  return {limits::degree.min, std::min(limits::degree.max, most)};
+}
+
+Parameter curve_degree() {
+  Parameter result = about<BSplineCurveObject>(row("curve.degree", "degree", "Curve", ParameterKind::integer));
+  result.min = limits::degree.min;
+  result.max = result.soft_max = limits::degree.max;
+  result.step = 1;
+  result.get = [](const Document& document) -> ParameterValue { return static_cast<double>(bspline(document).degree); };
+  result.set = [](Document& document, const ParameterValue& value) -> Status {
+    int degree = bspline(document).degree;
+    if (Status status = set_integer(degree, limits::degree, value); !status) return status;
+    if (degree == bspline(document).degree) return success();
+    return without_path(set_degree(bspline(document), degree));
+  };
+  return result;
+}
+
+Parameter curve_topology() {
+  Parameter result = about<BSplineCurveObject>(row("curve.topology", "curve", "Topology", ParameterKind::choice));
+  result.choices = {{"open", "open"}, {"closed", "closed"}};
+  result.get = [](const Document& document) -> ParameterValue {
+    return std::string(id_of(bspline(document).topology));
+  };
+  result.set = [](Document& document, const ParameterValue& value) -> Status {
+    const Result<int> index = choice_index(ids_of(Topology{}), value);
+    if (!index) return index.error();
+    const auto wanted = static_cast<Topology>(index.value());
+    if (wanted == bspline(document).topology) return success();
+    return without_path(set_topology(bspline(document), wanted));
+  };
+  return result;
+}
+
+/// The domain of the curve on the stage; a Bezier curve's is [0,1].
+Limits curve_domain(const Document& document) {
+  const auto* curve = std::get_if<BSplineCurveObject>(&stage_shape(document));
+  if (curve == nullptr) return limits::share;
+  const std::size_t p = static_cast<std::size_t>(curve->degree), n = curve->points.size();
+  return {curve->knots[p], curve->knots[curve->topology == Topology::closed ? n + p : n]};
+}
+
+/// The member `parameter` of any curve: a share of its domain.
+template <class D>
+auto& curve_share(D& document) {
+  auto& shape = stage_shape(document);
+  auto* bezier = std::get_if<BezierCurveObject>(&shape);
+  return bezier != nullptr ? bezier->parameter : std::get_if<BSplineCurveObject>(&shape)->parameter;
+}
+
+Parameter curve_parameter() {
+  Parameter result =
+      about<BezierCurveObject, BSplineCurveObject>(row("curve.parameter", "t", "Curve", ParameterKind::number));
+  result.min = limits::coordinate.min;
+  result.max = result.soft_max = limits::coordinate.max;
+  result.step = 0.01;
+  result.get = [](const Document& document) -> ParameterValue {
+    const Limits domain = curve_domain(document);
+    return std::lerp(domain.min, domain.max, curve_share(document));
+  };
+  result.set = [](Document& document, const ParameterValue& value) -> Status {
+    const double* x = std::get_if<double>(&value);
+    const Limits domain = curve_domain(document);
+    if (x == nullptr || !domain.contains(*x)) return Error{"", number_message(domain)};
+    curve_share(document) = std::clamp((*x - domain.min) / (domain.max - domain.min), 0.0, 1.0);
+    return success();
+  };
+  return result;
+}
+
 std::vector<Parameter> make_table() {
   using Surface = BlendingSurfaceObject;
+  using Bezier = BezierCurveObject;
+  using BSpline = BSplineCurveObject;
   return {
       topology<&Surface::topology_u, 'u'>("topology.u", "u"),
       topology<&Surface::topology_v, 'v'>("topology.v", "v"),
@@ -231,14 +330,19 @@ std::vector<Parameter> make_table() {
       blending_parameter(),
       integer<&Surface::samples_u, limits::samples>("samples.u", "samples u", "Sampling", {8, 256}),
       integer<&Surface::samples_v, limits::samples>("samples.v", "samples v", "Sampling", {8, 256}),
+      curve_topology(),
+      curve_degree(),
+      curve_parameter(),
       toggle<&Display::surface>("display.surface", "surface", "Show"),
-      toggle<&Display::patch_colours>("display.colours", "patch colours", "Show"),
-      toggle<&Display::knot_lines>("display.knots", "knot lines", "Show"),
+      about<Surface, Bezier, BSpline>(toggle<&Display::patch_colours>("display.colours", "colours", "Show")),
+      about<Surface, BSpline>(toggle<&Display::knot_lines>("display.knots", "knots", "Show")),
       toggle<&Display::wireframe>("display.wireframe", "wireframe", "Show"),
       toggle<&Display::local_patches>("display.locals", "local patches", "Show"),
       toggle<&Display::frames>("display.frames", "frames", "Show"),
       toggle<&Display::normals>("display.normals", "normals", "Show"),
-      toggle<&Display::handles>("display.handles", "handles", "Show"),
+      about<Bezier, BSpline>(toggle<&Display::polygon>("display.polygon", "control polygon", "Show")),
+      about<Bezier, BSpline>(toggle<&Display::construction>("display.construction", "construction", "Show")),
+      about<Surface, Bezier, BSpline>(toggle<&Display::handles>("display.handles", "handles", "Show")),
       without_history(toggle<&Animation::playing>("animation.playing", "playing", "Animation")),
       without_history(
           number<&Animation::time, limits::time>("animation.time", "time", "Animation", {0.01, clock_period, "s"})),
@@ -272,13 +376,21 @@ std::string refused_choice(const Document& document, const Parameter& parameter,
 }
 
 Limits range_of(const Document& document, const Parameter& parameter) {
+  if (parameter.id == "curve.degree") return degrees_of(document);
+  if (parameter.id == "curve.parameter") return curve_domain(document);
   const bool of_family = parameter.id == "blending.parameter" && family_range(document).max > 0;
   if (of_family) return family_range(document);
   return {parameter.min, parameter.max};
 }
 
 std::string side_effect(const Document& document, const Parameter& parameter, const ParameterValue& value) {
-  if (parameter.id != "model") return {};
+  const bool new_knots = parameter.id == "curve.degree" || parameter.id == "curve.topology";
+  if (new_knots && applies(document, parameter)) {
+    Document after = document;
+    if (!parameter.set(after, value) || after == document || knots_are_even(bspline(document))) return {};
+    return "The knots are evenly spaced again.";
+  }
+  if (parameter.id != "model" || !applies(document, parameter)) return {};
   Document after = document;
   if (!parameter.set(after, value)) return {};
   const BlendingSurfaceObject &was = blending_surface(document), &is = blending_surface(after);

@@ -34,6 +34,8 @@ struct Parameter {
   /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure). The error's path is empty:
   /// apply() fills in the id.
   Status (*set)(Document&, const ParameterValue&) = nullptr;
+  /// Whether what is on the stage has this parameter. The functions around are for documents in which it has.
+  bool (*applies)(const Document&) = nullptr;
   /// Why this row cannot be changed now, empty when it can (e.g. m of a B-function without parameter).
   std::string (*disabled)(const Document&) = nullptr;
 };
@@ -41,6 +43,9 @@ struct Parameter {
 std::span<const Parameter> parameters();
 /// nullptr when there is no such id.
 const Parameter* find_parameter(std::string_view id);
+
+/// Whether the row is about what is on the stage: a curve has no local patches.
+inline bool applies(const Document& document, const Parameter& parameter) { return parameter.applies(document); }
 
 /// Why the choice cannot be taken now ("The plane is not closed in u, ..."), empty when it can.
 std::string refused_choice(const Document& document, const Parameter& parameter, std::string_view choice);
