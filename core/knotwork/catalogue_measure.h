@@ -23,13 +23,15 @@ struct CatalogueMeasure {
 inline constexpr std::size_t most_catalogue_measures = 9;
 using CatalogueMeasures = std::array<double, most_catalogue_measures>;
 
+inline constexpr double shortest_length = 1e-6, longest_length = 1e6;  ///< model units
+
 // The four kinds. A length (a speed and a factor too) is positive; a count is an integer from 1 to 24; an angle, in
 // radians, is a turn at most to either side.
 constexpr CatalogueMeasure length_measure(std::string_view id, std::string_view label, double standard) {
-  return {id, label, standard, 1e-6, 1e6};
+  return {id, label, standard, shortest_length, longest_length};
 }
 constexpr CatalogueMeasure coordinate_measure(std::string_view id, std::string_view label, double standard) {
-  return {id, label, standard, -1e6, 1e6};
+  return {id, label, standard, -longest_length, longest_length};
 }
 constexpr CatalogueMeasure count_measure(std::string_view id, std::string_view label, double standard) {
   return {id, label, standard, 1, 24, true};

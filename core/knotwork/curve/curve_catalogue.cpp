@@ -31,8 +31,8 @@ Interval rose_period(const double* m) {
 }
 
 Status check_line(const double* m) {
-  // Lengths of 10^-6 are the shortest elsewhere too.
-  if (std::hypot(m[3], m[4], m[5]) < 1e-6) return Error{"directionX", "The direction of the line must not be zero."};
+  if (std::hypot(m[3], m[4], m[5]) < shortest_length)
+    return Error{"directionX", "The direction of the line must not be zero."};
   return success();
 }
 

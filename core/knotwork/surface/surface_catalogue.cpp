@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <string>
+
+#include <Eigen/Geometry>
 
 #include "knotwork/basis/integer_power.h"
-#include "knotwork/surface/model_surface.h"
 
 namespace knotwork {
 namespace {
@@ -69,9 +69,11 @@ Taylor2 slippers_coordinate(const Taylor2& u, const Taylor2& v, int a, int b) {
 }
 
 Status check_plane(const double* m) {
-  const Plane plane{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
-  if (const Status status = validate(plane); !status) {
-    return Error{status.error().path == "u_axis" ? "uAxisX" : "vAxisX", status.error().message};
+  const Eigen::Vector3d u_axis{m[3], m[4], m[5]}, v_axis{m[6], m[7], m[8]};
+  const double length_u = u_axis.norm(), length_v = v_axis.norm();
+  if (length_u < shortest_length) return Error{"uAxisX", "The first axis of the plane must not be zero."};
+  if (length_v < shortest_length || u_axis.cross(v_axis).norm() < 1e-9 * length_u * length_v) {
+    return Error{"vAxisX", "The second axis of the plane must be neither zero nor parallel to the first."};
   }
   return success();
 }

@@ -33,8 +33,8 @@ struct CatalogueSurfaceRow {
   CatalogueDirection u, v;
   /// The only place where the surface is written down.
   Taylor2Point (*formula)(const double* measures, const Taylor2& u, const Taylor2& v);
-  /// False where pieces meet at an angle: in the classic Klein bottle S_u jumps in the middle of the u-domain, where the
-  /// partials are those on its left, and at the seam, where they are those within the domain.
+  /// False where pieces meet at an angle: in the classic Klein bottle S_u jumps in the middle of the u-domain, where
+  /// the partials are those on its left, and at the seam, where they are those within the domain.
   bool smooth = true;
   CatalogueCheck check = nullptr;
 };
@@ -67,8 +67,8 @@ struct CatalogueSurfaceDomain {
 CatalogueSurfaceDomain domain(const CatalogueSurface& surface);
 
 /// Point and partials from one formula on truncated Taylor series. u, v are finite and not reduced to the domain, over
-/// which closed directions go round; only the v of the apple, of Dini's and of Kuen's surface, whose logarithms end near
-/// it, is held in it. Error of each partial below 1e-12 of its largest on the domain.
+/// which closed directions go round; only the v of the apple, of Dini's and of Kuen's surface, whose logarithms end
+/// near it, is held in it. Error of each partial below 1e-12 of its largest on the domain.
 SurfaceJet evaluate(const CatalogueSurface& surface, double u, double v);
 
 /// All pairs: out[a * v.size() + b] belongs to (u[a], v[b]). Allocates nothing.
