@@ -90,14 +90,12 @@ TEST_CASE("oracle 09: the curves with three derivatives, curvature, torsion, dom
         CHECK(close(c[k], vector3(point[parts[k]]), oracle_tolerance, scale[k]));
       }
       const Bending b = bending(c);
-      // Both are known relative to what cancels in them: |c''|/|c'|^2 and |c'||c''||c'''|/|c' x c''|^2. Each derivative
-      // of these comes with the largest of its kind, not with its own size.
+      // Both are known relative to what cancels in them: |c''|/|c'|^2 and |c'||c''||c'''|/|c' x c''|^2.
       const double speed = c[1].norm(), cross = c[1].cross(c[2]).norm();
-      const double spread = scale[1] / speed;
-      CHECK(
-          close(b.curvature, point["curvature"].get<double>(), oracle_tolerance, spread * scale[2] / (speed * speed)));
-      const double cancelled = cross == 0 ? 1 : scale[1] * scale[2] * scale[3] / (cross * cross);
-      CHECK(close(b.torsion, point["torsion"].get<double>(), oracle_tolerance, cancelled));
+      const double turning = c[2].norm() / (speed * speed);
+      const double twisting = cross == 0 ? 0 : speed * c[2].norm() * c[3].norm() / (cross * cross);
+      CHECK(close(b.curvature, point["curvature"].get<double>(), oracle_tolerance, turning));
+      CHECK(close(b.torsion, point["torsion"].get<double>(), oracle_tolerance, twisting));
     }
   }
   CHECK(seen.size() == curve_catalogue().size());

@@ -16,6 +16,15 @@ using std::numbers::pi;
 /// At the angle t, `radius` away from the origin.
 Taylor3Point polar(const Taylor3& radius, const Taylor3& t) { return {radius * cos(t), radius * sin(t), 0}; }
 
+/// t less its whole turns, exact to the last digit: a multiple of many turns would carry as many times t's rounding.
+/// 2pi comes in two parts, of which the first, a float, times a number of turns is exact.
+Taylor3 within_turn(Taylor3 t) {
+  constexpr double high = static_cast<float>(2 * pi), low = -1.748455600074497e-7;
+  const double turns = std::floor(t.value / (2 * pi));
+  t.value = (t.value - turns * high) - turns * low;
+  return t;
+}
+
 Interval one_turn(const double*) { return {0, 2 * pi}; }
 Interval two_turns(const double*) { return {0, 4 * pi}; }
 
@@ -107,7 +116,8 @@ constexpr CatalogueCurveRow curve_rows[]{
        return Interval{0, 30 * pi};
      },
      [](const double* m, const Taylor3& t) {
-       const Taylor3 leaf = integer_power(sin(17 * t / 3), 4) * integer_power(sin(2 * cos(3 * t) - 28 * t), 8);
+       const Taylor3 s = within_turn(t);
+       const Taylor3 leaf = integer_power(sin(17 * t / 3), 4) * integer_power(sin(2 * cos(3 * s) - 28 * s), 8);
        return polar(m[0] * (5 * (1 + sin(11 * t / 5)) - 4 * leaf), t);
      }},
     {"report-curve", "The report's curve", report_measures, Topology::closed, one_turn,
