@@ -43,9 +43,10 @@ constexpr double step = 0x1p-13;
 
 std::vector<double> parameters(const CatalogueCurve& curve) {
   const Interval where = domain(curve);
-  std::vector<double> t;
-  for (int k = 0; k < 40; ++k) {
-    t.push_back(std::round((where.start + (k + 0.4) / 40 * (where.end - where.start)) / step) * step);
+  std::vector<double> t(40);
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double share = (static_cast<double>(k) + 0.4) / static_cast<double>(t.size());
+    t[k] = std::round((where.start + share * (where.end - where.start)) / step) * step;
   }
   return t;
 }

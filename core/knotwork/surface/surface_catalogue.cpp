@@ -106,6 +106,7 @@ constexpr CatalogueMeasure bohemian_dome_measures[] = {length_measure("radius", 
                                                        length_measure("width", "Width of its way", 0.5),
                                                        length_measure("height", "Height of its way", 0.5)};
 constexpr CatalogueMeasure size_measures[] = {length_measure("size", "Size", 1)};
+constexpr CatalogueMeasure larger_size_measures[] = {length_measure("size", "Size", 1.5)};
 constexpr CatalogueMeasure moebius_measures[] = {length_measure("radius", "Radius", 1),
                                                  length_measure("width", "Half width", 0.4)};
 constexpr CatalogueMeasure klein_bottle_measures[] = {length_measure("width", "Width of the loop", 0.6),
@@ -115,14 +116,14 @@ constexpr CatalogueMeasure figure_eight_klein_bottle_measures[] = {length_measur
                                                                    length_measure("size", "Size of the tube", 0.4)};
 constexpr CatalogueMeasure cross_cap_measures[] = {length_measure("radius", "Radius of the mapped sphere", 1.2)};
 constexpr CatalogueMeasure steiner_measures[] = {length_measure("radius", "Radius of the mapped sphere", 1.7)};
-constexpr CatalogueMeasure dini_measures[] = {length_measure("radius", "Radius", 0.7),
-                                              length_measure("rise", "Rise per radian", 0.15)};
+constexpr CatalogueMeasure dini_measures[] = {length_measure("radius", "Radius", 0.5),
+                                              length_measure("rise", "Rise per radian", 0.2)};
 constexpr CatalogueMeasure kuen_measures[] = {length_measure("radius", "Radius", 0.7)};
 constexpr CatalogueMeasure enneper_measures[] = {length_measure("size", "Size", 0.4)};
 constexpr CatalogueMeasure helicoid_measures[] = {length_measure("radiusX", "Radius in x", 1),
                                                   length_measure("radiusY", "Radius in y", 1),
                                                   length_measure("rise", "Rise per radian", 0.15)};
-constexpr CatalogueMeasure swallowtail_measures[] = {length_measure("size", "Size", 0.6)};
+constexpr CatalogueMeasure swallowtail_measures[] = {length_measure("size", "Size", 0.3)};
 constexpr CatalogueMeasure whitney_measures[] = {length_measure("size", "Size", 0.15)};
 constexpr CatalogueMeasure trianguloid_measures[] = {length_measure("size", "Size", 0.25)};
 
@@ -180,7 +181,7 @@ constexpr CatalogueSurfaceRow surface_rows[]{
      [](const double* m, const Taylor2& u, const Taylor2& v) {
        return Taylor2Point{m[0] * cos(u), m[0] * sin(u) + m[1] * cos(v), m[2] * sin(v)};
      }},
-    {"eight", "Eight surface", size_measures, turn, eight_v,
+    {"eight", "Eight surface", larger_size_measures, turn, eight_v,
      [](const double* m, const Taylor2& u, const Taylor2& v) {
        const Taylor2 z = m[0] * sin(v);
        return about_z(z * cos(v), u, z);
@@ -255,7 +256,7 @@ constexpr CatalogueSurfaceRow surface_rows[]{
        return scaled(m[0],
                      {2 * sin(3 * u) / p, 2 * (sin(u) + 2 * sin(2 * u)) / q, 0.25 * (cos(u) - 2 * cos(2 * u)) * p * q});
      }},
-    {"slippers", "Slippers", size_measures, turn, turn,
+    {"slippers", "Slippers", larger_size_measures, turn, turn,
      [](const double* m, const Taylor2& u, const Taylor2& v) {
        return scaled(m[0],
                      {slippers_coordinate(u, v, 3, 1), slippers_coordinate(u + third_of_turn, v + third_of_turn, 2, 2),
