@@ -5,35 +5,46 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/catalogue_measure.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/curve_catalogue.cpp
+  knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
   knotwork/surface/model_surface.cpp
+  knotwork/surface/surface_catalogue.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
 )
 set(KNOTWORK_GEOMETRY_HEADERS
+  knotwork/catalogue_measure.h
   knotwork/result.h
   knotwork/basis/bernstein.h
   knotwork/basis/blending_function.h
   knotwork/basis/bspline_basis.h
+  knotwork/basis/interval.h
   knotwork/basis/knot_vector.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/curve_catalogue.h
   knotwork/curve/point_triangle.h
+  knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
   knotwork/surface/blending_surface.h
   knotwork/surface/model_surface.h
+  knotwork/surface/surface_catalogue.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
   knotwork/surface/taylor2.h
+  knotwork/surface/taylor2_point.h
 )
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/basis/integer_power.h
   knotwork/curve/point_check.h
 )

@@ -7,15 +7,21 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/blending_tables_test.cpp
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
+  unit/catalogue_measure_test.cpp
+  unit/curve_catalogue_test.cpp
   unit/knot_vector_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
   unit/result_test.cpp
+  unit/surface_catalogue_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp
+  unit/taylor3_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
+  property/curve_catalogue_laws_test.cpp
   property/model_surface_laws_test.cpp
+  property/surface_catalogue_laws_test.cpp
   property/surface_sampling_laws_test.cpp
 )

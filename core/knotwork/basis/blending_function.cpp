@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "knotwork/basis/expo_rational_table.h"
+#include "knotwork/basis/integer_power.h"
 
 namespace knotwork {
 namespace {
@@ -33,12 +34,6 @@ constexpr std::array<BlendingFamily, 11> families{{
 // sin(pi t) and cos(pi t) on [0,1], exact at 0, 1/2 and 1, with full relative accuracy next to their zeros there.
 double sin_pi(double t) { return std::sin(pi * (t <= 0.5 ? t : 1 - t)); }
 double cos_pi(double t) { return std::sin(pi * (0.5 - t)); }
-
-double integer_power(double base, int exponent) {
-  double power = 1;
-  for (int k = 0; k < exponent; ++k) power *= base;
-  return power;
-}
 
 /// x - sin x, x >= 0, without the cancellation near 0.
 double minus_sine(double x) {

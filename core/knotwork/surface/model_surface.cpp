@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "knotwork/surface/taylor2.h"
+#include "knotwork/surface/taylor2_point.h"
 
 namespace knotwork {
 namespace {
@@ -19,25 +19,21 @@ constexpr double largest_length = 1e6, smallest_length = 1e-6;
 /// Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
 bool within(double x, double least, double greatest) { return std::isfinite(x) && x >= least && x <= greatest; }
 
-struct Point {
-  Taylor2 x, y, z;
-};
-
-Point formula(const Plane& m, Taylor2 u, Taylor2 v) {
+Taylor2Point formula(const Plane& m, Taylor2 u, Taylor2 v) {
   const auto coordinate = [&](int k) { return m.origin[k] + u * m.u_axis[k] + v * m.v_axis[k]; };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-Point formula(const Cylinder& m, Taylor2 u, Taylor2 v) {
+Taylor2Point formula(const Cylinder& m, Taylor2 u, Taylor2 v) {
   return {m.radius_x * sin(v), m.radius_y * cos(v), m.height * u};
 }
 
-Point formula(const Torus& m, Taylor2 u, Taylor2 v) {
+Taylor2Point formula(const Torus& m, Taylor2 u, Taylor2 v) {
   const Taylor2 radius = m.wheel_radius + m.tube_radius * cos(v);
   return {radius * cos(u), radius * sin(u), m.tube_height * sin(v)};
 }
 
-Point formula(const Sheet& m, Taylor2 u, Taylor2 v) {
+Taylor2Point formula(const Sheet& m, Taylor2 u, Taylor2 v) {
   const double a = m.bend_u, b = m.bend_v;
   const double radius_u = std::lerp(m.flat_radius_u, m.closed_radius_u, a);
   const double radius_v = std::lerp(m.flat_radius_v, m.closed_radius_v, b);
@@ -47,10 +43,8 @@ Point formula(const Sheet& m, Taylor2 u, Taylor2 v) {
 }
 
 template <class Model>
-SurfaceJet jet(const Model& model, double u, double v) {
-  const auto [x, y, z] = formula(model, Taylor2::variable_u(u), Taylor2::variable_v(v));
-  return {{x.value, y.value, z.value}, {x.u, y.u, z.u},    {x.v, y.v, z.v},
-          {x.uu, y.uu, z.uu},          {x.uv, y.uv, z.uv}, {x.vv, y.vv, z.vv}};
+SurfaceJet model_jet(const Model& model, double u, double v) {
+  return jet(formula(model, Taylor2::variable_u(u), Taylor2::variable_v(v)));
 }
 
 SurfaceDomain domain_of(const Plane&) { return {{0, 1}, {0, 1}, Topology::open, Topology::open}; }
@@ -131,7 +125,7 @@ Status validate(const ModelSurface& model) {
 }
 
 SurfaceJet evaluate(const ModelSurface& model, double u, double v) {
-  return std::visit([&](const auto& m) { return jet(m, u, v); }, model);
+  return std::visit([&](const auto& m) { return model_jet(m, u, v); }, model);
 }
 
 void evaluate_grid(const ModelSurface& model, std::span<const double> u, std::span<const double> v,
@@ -141,7 +135,7 @@ void evaluate_grid(const ModelSurface& model, std::span<const double> u, std::sp
       [&](const auto& m) {
         std::size_t k = 0;
         for (const double a : u) {
-          for (const double b : v) out[k++] = jet(m, a, b);
+          for (const double b : v) out[k++] = model_jet(m, a, b);
         }
       },
       model);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "knotwork/basis/interval.h"
 #include "knotwork/basis/knot_vector.h"
 #include "knotwork/surface/surface_jet.h"
 
@@ -53,10 +54,6 @@ struct Sheet {
 };
 
 using ModelSurface = std::variant<Plane, Cylinder, Torus, Sheet>;
-
-struct Interval {
-  double start, end;
-};
 
 /// Where a model surface lives and in which directions it is periodic.
 struct SurfaceDomain {
