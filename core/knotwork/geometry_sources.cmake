@@ -7,6 +7,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/knot_vector.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/lane_riesenfeld.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
@@ -22,6 +23,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/knot_vector.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/lane_riesenfeld.h
   knotwork/curve/point_triangle.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h

@@ -8,6 +8,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
   unit/knot_vector_test.cpp
+  unit/lane_riesenfeld_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
   unit/result_test.cpp
