@@ -5,6 +5,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/basis/local_blend.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/lane_riesenfeld.cpp
@@ -37,5 +38,6 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/basis/local_blend.h
   knotwork/curve/point_check.h
 )
