@@ -7,8 +7,10 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/knot_vector.cpp
   knotwork/basis/local_blend.cpp
   knotwork/curve/bezier_curve.cpp
+  knotwork/curve/blending_curve.cpp
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/lane_riesenfeld.cpp
+  knotwork/curve/model_curve.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
@@ -23,8 +25,10 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/bspline_basis.h
   knotwork/basis/knot_vector.h
   knotwork/curve/bezier_curve.h
+  knotwork/curve/blending_curve.h
   knotwork/curve/bspline_curve.h
   knotwork/curve/lane_riesenfeld.h
+  knotwork/curve/model_curve.h
   knotwork/curve/point_triangle.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h

@@ -2,6 +2,7 @@
 set(KNOTWORK_GEOMETRY_TESTS
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
+  unit/blending_curve_test.cpp
   unit/blending_function_test.cpp
   unit/blending_surface_test.cpp
   unit/blending_tables_test.cpp
@@ -15,6 +16,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp
+  property/blending_curve_laws_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
   property/model_surface_laws_test.cpp
