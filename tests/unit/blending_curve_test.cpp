@@ -18,16 +18,6 @@ namespace {
 using std::numbers::pi;
 using Jet = std::array<Eigen::Vector3d, 4>;
 
-Eigen::Affine3d affine(const nlohmann::json& matrix) {
-  Eigen::Affine3d map = Eigen::Affine3d::Identity();
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c) {
-      map.matrix()(r, c) = matrix[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)].get<double>();
-    }
-  }
-  return map;
-}
-
 LocalCurves oracle_shape(const nlohmann::json& inputs) {
   const std::string type = inputs.value("local_type", "");
   if (type.empty()) return {};
@@ -40,7 +30,7 @@ BlendingCurve oracle_curve(const nlohmann::json& inputs) {
   const bool closed = inputs["closed"].get<bool>();
   REQUIRE(inputs["model"].get<std::string>().starts_with(closed ? "report: " : "helix "));
   std::vector<Eigen::Affine3d> locals;
-  for (const nlohmann::json& matrix : inputs["local_matrices_local_to_parent"]) locals.push_back(affine(matrix));
+  for (const nlohmann::json& matrix : inputs["local_matrices_local_to_parent"]) locals.push_back(affine3(matrix));
   CHECK(locals.size() == inputs["n_local_curves"].get<std::size_t>());
   const BlendingKind kind = find_blending_family(inputs["B_function"].get<std::string>())->kind;
   return BlendingCurve::make(
