@@ -27,8 +27,8 @@ BlendingCurve unmoved_curve(const ModelCurve& model, const KnotVector& knots, co
   return BlendingCurve::make(model, knots, b, shape, BlendingCurve::unmoved_locals(model, knots)).value();
 }
 
-/// Every kind of locals over open and closed curves, n from 2 up, uniform and not, every B-function. Every local is moved
-/// by its own affine map: unmoved sub-curves would detect nothing (THEORY 2.7, P1).
+/// Every kind of locals over open and closed curves, n from 2 up, uniform and not, every B-function. Every local is
+/// moved by its own affine map: unmoved sub-curves would detect nothing (THEORY 2.7, P1).
 std::vector<CurveCase> make_curve_cases() {
   struct Model {
     const char* name;

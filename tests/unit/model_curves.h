@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "knotwork/curve/model_curve.h"
 

@@ -12,7 +12,7 @@ namespace knotwork {
 namespace {
 
 /// Value and derivatives to the highest order: scratch on the stack.
-using CurveJet = std::array<Eigen::Vector3d, BlendingCurve::max_order + 1>;
+using LocalJet = std::array<Eigen::Vector3d, BlendingCurve::max_order + 1>;
 
 constexpr double binomials[BlendingCurve::max_order + 1][BlendingCurve::max_order + 1] = {
     {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
@@ -23,7 +23,7 @@ constexpr double largest_coordinate = 1e100;
 /// The most radians that an arc turns through over its domain: beyond, not a digit of the angle's sine would be right.
 constexpr double largest_turn = 1e9;
 
-void apply(const Eigen::Affine3d& map, std::span<Eigen::Vector3d> jet) {
+void map_jet(const Eigen::Affine3d& map, std::span<Eigen::Vector3d> jet) {
   for (std::size_t j = 0; j < jet.size(); ++j) {
     const Eigen::Vector3d image = map.linear() * jet[j];
     jet[j] = j == 0 ? image + map.translation() : image;
@@ -172,7 +172,7 @@ void BlendingCurve::evaluate_shape(int k, double x, std::span<Eigen::Vector3d> o
   } else {
     evaluate_taylor(data, x, out);
   }
-  apply(local(k), out);
+  map_jet(local(k), out);
 }
 
 void BlendingCurve::evaluate_local(int k, double t, std::span<Eigen::Vector3d> out) const {
@@ -180,7 +180,7 @@ void BlendingCurve::evaluate_local(int k, double t, std::span<Eigen::Vector3d> o
   if (shape_.kind != LocalCurveKind::sub_curve) return evaluate_shape(k, t - centre(k), out);
   model_.evaluate(t, out);
   if (!out.empty()) out[0] -= centre_data(k).front();
-  apply(local(k), out);
+  map_jet(local(k), out);
 }
 
 /// evaluate() with a hint for the span of t; returns that span.
@@ -188,16 +188,16 @@ int BlendingCurve::evaluate_near(int hint, double t, std::span<Eigen::Vector3d> 
   assert(out.size() <= max_order + 1);
   const double reduced = knots_.reduced(t);
   const LocalBlend blend = local_blend(knots_, blending_, reduced, hint);
-  CurveJet first_jet, second_jet;
+  LocalJet first_jet, second_jet;
   const std::span<Eigen::Vector3d> first = std::span(first_jet).first(out.size());
   const std::span<Eigen::Vector3d> second = std::span(second_jet).first(out.size());
   if (shape_.kind == LocalCurveKind::sub_curve) {
-    // A wrapped local is local 0 at reduced - P. Its M^ is applied to model(reduced) instead: the same, because the model
-    // repeats wherever closing is allowed.
+    // A wrapped local is local 0 at reduced - P. Its M^ is applied to model(reduced) instead: the same, because the
+    // model repeats wherever closing is allowed.
     model_.evaluate(reduced, first);
     std::copy(first.begin(), first.end(), second.begin());
-    apply(model_maps_[static_cast<std::size_t>(blend.first)], first);
-    apply(model_maps_[static_cast<std::size_t>(blend.second)], second);
+    map_jet(model_maps_[static_cast<std::size_t>(blend.first)], first);
+    map_jet(model_maps_[static_cast<std::size_t>(blend.second)], second);
   } else {
     // Seen from the knots at either end, a wrapped local needs no special care.
     evaluate_shape(blend.first, reduced - knots_[blend.span()], first);
@@ -233,7 +233,7 @@ void BlendingCurve::evaluate_two_curves(double t, std::span<Eigen::Vector3d> out
   for (Eigen::Vector3d& derivative : out) derivative.setZero();
   for (int a = 0; a <= 1; ++a) {
     const bool wraps = i - 1 + a == knots_.count();
-    CurveJet jet;
+    LocalJet jet;
     const std::span<Eigen::Vector3d> local = std::span(jet).first(out.size());
     evaluate_local(wraps ? 0 : i - 1 + a, wraps ? reduced - knots_.period() : reduced, local);
     const std::array<double, 4>& weight = a == 0 ? blend.one : blend.other;

@@ -14,11 +14,11 @@
 
 namespace knotwork {
 
-/// What the local curves of a blending curve are made of. With x = t - t_{k+1}, all derivatives of the model m at t_{k+1},
-/// l_k(t) = M_k f_k(t), f_k(t_{k+1}) = 0:
+/// What the local curves of a blending curve are made of. With x = t - t_{k+1}, all derivatives of the model m at
+/// t_{k+1}, l_k(t) = M_k f_k(t), f_k(t_{k+1}) = 0:
 enum class LocalCurveKind : unsigned char {
   sub_curve,       ///< f_k = m(t) - m(t_{k+1})
-  bezier_hermite,  ///< f_k = sum_{1<=j<=d} m^(j) x^j/j!, the Bezier curve of degree d with the Hermite data of the model
+  bezier_hermite,  ///< f_k = sum_{1<=j<=d} m^(j) x^j/j!: Bezier curve with the model's Hermite data, degree d
   arc,             ///< f_k = sin(kappa v x)/kappa T + (1-cos(kappa v x))/kappa N, the osculating circle at the speed v
 };
 
@@ -35,17 +35,17 @@ struct LocalCurves {
 /// period earlier. M_k is any affine map, Translation(m(t_{k+1})) when unmoved. With B of order r, c has at t_{k+1} the
 /// point and the first r derivatives of l_k. Unmoved sub-curves give the model back, whatever B is.
 ///
-/// An arc becomes a straight line at the speed v where kappa is 0, and a single point where the model stands still: where
-/// v = 0, or so small that the arc would turn by more than 10^9 rad over the domain of the local.
+/// An arc becomes a straight line at the speed v where kappa is 0, and a single point where the model stands still:
+/// where v = 0, or so small that the arc would turn by more than 10^9 rad over the domain of the local.
 class BlendingCurve {
  public:
   /// Derivatives are given up to this order, as B has them.
   static constexpr int max_order = 3;
 
-  /// `locals[k]` is M_k. Error path: `model` (a domain shorter than 1e-9 or longer than 1e9, a sub-curve's model with fewer
-  /// than 3 derivatives or an arc's with fewer than 2, derivatives at a knot that are not finite or beyond 1e100);
-  /// `knots` (as BlendingSurface::make); `shape.degree`; `locals` (wrong number); `locals[k]` (not affine, or an entry not
-  /// finite or beyond 1e100).
+  /// `locals[k]` is M_k. Error path: `model` (a domain shorter than 1e-9 or longer than 1e9, a sub-curve's model with
+  /// fewer than 3 derivatives or an arc's with fewer than 2, derivatives at a knot that are not finite or beyond
+  /// 1e100); `knots` (as BlendingSurface::make); `shape.degree`; `locals` (wrong number); `locals[k]` (not affine, or
+  /// an entry not finite or beyond 1e100).
   static Result<BlendingCurve> make(ModelCurve model, KnotVector knots, BlendingFunction blending, LocalCurves shape,
                                     std::vector<Eigen::Affine3d> locals);
 
@@ -66,9 +66,10 @@ class BlendingCurve {
   /// out[j] = the j-th derivative of l_k at t, which is not reduced; j = 0 .. out.size()-1, at most max_order.
   void evaluate_local(int k, double t, std::span<Eigen::Vector3d> out) const;
 
-  /// out[j] = c^(j)(t), j = 0 .. out.size()-1, at most max_order. t is reduced to the domain: closed wraps, open clamps. At
-  /// a knot the interval to its right counts, at the end of an open curve the last one. Sub-curves by the one-evaluation
-  /// form: c(t) = A(t) (m(t); 1), A = (1-B) M^_{i-1} + B M^_i, M^_k = M_k Translation(-m(t_{k+1})). t must be finite.
+  /// out[j] = c^(j)(t), j = 0 .. out.size()-1, at most max_order. t is reduced to the domain: closed wraps, open
+  /// clamps. At a knot the interval to its right counts, at the end of an open curve the last one. Sub-curves by the
+  /// one-evaluation form: c(t) = A(t) (m(t); 1), A = (1-B) M^_{i-1} + B M^_i, M^_k = M_k Translation(-m(t_{k+1})). t
+  /// must be finite.
   void evaluate(double t, std::span<Eigen::Vector3d> out) const;
   Eigen::Vector3d operator()(double t) const;
   /// The same for many parameters: out[m (order+1) + j] at t[m], 0 <= order <= max_order. Sorted parameters find their

@@ -31,8 +31,9 @@ Status check_polygon(const LaneRiesenfeld& scheme, std::span<const Eigen::Vector
 
 /// One level in place: `polygon` holds the n old points and then room for the new ones.
 ///
-/// The split points stream through a chain of d averagers, each of which remembers the point before. They come last point
-/// first, so that a new point is written only where the old ones have been read: q_m leaves the chain as p_{m/2} enters.
+/// The split points stream through a chain of d averagers, each of which remembers the point before. They come last
+/// point first, so that a new point is written only where the old ones have been read: q_m leaves the chain as
+/// p_{m/2} enters.
 void refine_in_place(const LaneRiesenfeld& scheme, std::size_t n, std::span<Eigen::Vector3d> polygon) {
   const std::size_t d = static_cast<std::size_t>(scheme.degree);
   // Closed, the chain is filled with the first points, which follow upon the last; open, with the last ones themselves.

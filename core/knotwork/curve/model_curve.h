@@ -12,14 +12,14 @@
 
 namespace knotwork {
 
-/// Any parametric curve c on [start, end] as a plain value: what blends over a curve, or measures it, needs to know of it
-/// and no more. The curve itself is kept behind a pointer, shared by copies and never changed, with the one function that
-/// evaluates it.
+/// Any parametric curve c on [start, end] as a plain value: what blends over a curve, or measures it, needs to know
+/// of it and no more. The curve itself is kept behind a pointer, shared by copies and never changed, with the one
+/// function that evaluates it.
 class ModelCurve {
  public:
   /// `formula(t, out)`, out a span<Vector3d>, writes the k-th derivative at t into out[k], k = 0 .. out.size()-1, for
-  /// up to `max_order`. It must give finite numbers on the domain; closed, it repeats outside with the period end - start.
-  /// Preconditions: start < end, max_order >= 0.
+  /// up to `max_order`. It must give finite numbers on the domain; closed, it repeats outside with the period end -
+  /// start. Preconditions: start < end, max_order >= 0.
   template <class Formula>
   ModelCurve(double start, double end, Topology topology, int max_order, Formula formula)
       : start_(start),
@@ -39,7 +39,8 @@ class ModelCurve {
   /// The highest derivative that there is a formula for.
   int max_order() const { return max_order_; }
 
-  /// out[k] = the k-th derivative, k = 0 .. out.size()-1. t is not reduced. Precondition: out.size() <= max_order() + 1.
+  /// out[k] = the k-th derivative, k = 0 .. out.size()-1. t is not reduced. Precondition: out.size() <= max_order() +
+  /// 1.
   void evaluate(double t, std::span<Eigen::Vector3d> out) const {
     assert(out.size() <= static_cast<std::size_t>(max_order_) + 1);
     evaluate_(formula_.get(), t, out);
