@@ -5,10 +5,14 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/basis/local_blend.cpp
   knotwork/catalogue_measure.cpp
   knotwork/curve/bezier_curve.cpp
+  knotwork/curve/blending_curve.cpp
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/curve_catalogue.cpp
+  knotwork/curve/lane_riesenfeld.cpp
+  knotwork/curve/model_curve.cpp
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
@@ -19,21 +23,24 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/surface/taylor2.cpp
 )
 set(KNOTWORK_GEOMETRY_HEADERS
-  knotwork/catalogue_measure.h
-  knotwork/result.h
   knotwork/basis/bernstein.h
   knotwork/basis/blending_function.h
   knotwork/basis/bspline_basis.h
   knotwork/basis/interval.h
   knotwork/basis/knot_vector.h
+  knotwork/catalogue_measure.h
   knotwork/curve/bezier_curve.h
+  knotwork/curve/blending_curve.h
   knotwork/curve/bspline_curve.h
   knotwork/curve/curve_catalogue.h
+  knotwork/curve/lane_riesenfeld.h
+  knotwork/curve/model_curve.h
   knotwork/curve/point_triangle.h
   knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
+  knotwork/result.h
   knotwork/surface/blending_surface.h
   knotwork/surface/model_surface.h
   knotwork/surface/surface_catalogue.h
@@ -46,5 +53,6 @@ set(KNOTWORK_GEOMETRY_HEADERS
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
   knotwork/basis/integer_power.h
+  knotwork/basis/local_blend.h
   knotwork/curve/point_check.h
 )

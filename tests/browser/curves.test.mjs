@@ -145,7 +145,7 @@ pageTest('a curve that cannot be is refused with the place and the reason, and n
   const good = await documentOf(page);
   const bad = [
     ['objects[0].knots', /decrease/, (curve) => (curve.knots[5] = 9)],
-    ['objects[0].knots', /knots/, (curve) => curve.knots.pop()],
+    ['objects[0].points', /belong to 6 control points/, (curve) => curve.knots.pop()],
     ['objects[0].knots', /multipl|often|times|coincide|knots/i, (curve) => (curve.knots = [0, 0, 0, 0, 2, 2, 2, 2, 2, 2, 2])],
     ['objects[0].points', /points/, (curve) => curve.points.pop()],
     ['objects[0].points', /512/, (curve) => (curve.points = Array.from({ length: 600 }, () => [0, 0, 0]))],

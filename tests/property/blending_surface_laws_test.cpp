@@ -10,18 +10,6 @@ using namespace test;
 
 namespace {
 
-/// Whether t lies strictly inside the support (t_i, t_{i+2}) of local i, periods counted.
-bool in_support(const KnotVector& knots, int i, double t) {
-  for (int k = -1; k <= 1; ++k) {
-    const double shifted = t + (knots.closed() ? k * knots.period() : 0);
-    if (knots[i] < shifted && shifted < knots[i + 2]) return true;
-    // The clamped end of an open direction belongs to its local.
-    if (!knots.closed() && t == knots[i + 1]) return true;
-    if (!knots.closed()) break;
-  }
-  return false;
-}
-
 /// How many orders of derivatives, 0 to 2, a surface keeps across its knots.
 int kept_order(const BlendingSurface& surface) { return std::min(2, surface.blending().order()); }
 

@@ -129,6 +129,18 @@ inline std::vector<SurfaceCase> surface_cases() {
   return cases;
 }
 
+/// Whether t lies strictly inside the support (t_i, t_{i+2}) of local i, periods counted.
+inline bool in_support(const KnotVector& knots, int i, double t) {
+  for (int k = -1; k <= 1; ++k) {
+    const double shifted = t + (knots.closed() ? k * knots.period() : 0);
+    if (knots[i] < shifted && shifted < knots[i + 2]) return true;
+    // The clamped end of an open direction belongs to its local.
+    if (!knots.closed() && t == knots[i + 1]) return true;
+    if (!knots.closed()) break;
+  }
+  return false;
+}
+
 /// Parameters inside every knot interval at the given fractions.
 inline std::vector<double> interval_parameters(const KnotVector& knots, const std::vector<double>& fractions) {
   std::vector<double> t;

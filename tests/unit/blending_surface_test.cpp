@@ -32,15 +32,7 @@ BlendingSurface oracle_surface(const nlohmann::json& inputs) {
   const KnotVector knots_u = oracle_knots(inputs, "u"), knots_v = oracle_knots(inputs, "v");
   std::vector<Eigen::Affine3d> locals;
   for (const nlohmann::json& row : inputs["all_local_matrices_local_to_parent_[i][j]"]) {
-    for (const nlohmann::json& matrix : row) {
-      Eigen::Affine3d map = Eigen::Affine3d::Identity();
-      for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 4; ++c) {
-          map.matrix()(r, c) = matrix[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)].get<double>();
-        }
-      }
-      locals.push_back(map);
-    }
+    for (const nlohmann::json& matrix : row) locals.push_back(affine3(matrix));
   }
   const BlendingKind kind = find_blending_family(inputs["B_function"].get<std::string>())->kind;
   return BlendingSurface::make(oracle_model(inputs["model"]), knots_u, knots_v, BlendingFunction::make(kind).value(),

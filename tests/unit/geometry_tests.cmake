@@ -2,6 +2,7 @@
 set(KNOTWORK_GEOMETRY_TESTS
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
+  unit/blending_curve_test.cpp
   unit/blending_function_test.cpp
   unit/blending_surface_test.cpp
   unit/blending_tables_test.cpp
@@ -10,6 +11,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/catalogue_measure_test.cpp
   unit/curve_catalogue_test.cpp
   unit/knot_vector_test.cpp
+  unit/lane_riesenfeld_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
   unit/result_test.cpp
@@ -18,6 +20,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp
   unit/taylor3_test.cpp
+  property/blending_curve_laws_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
   property/curve_catalogue_laws_test.cpp

@@ -1,5 +1,11 @@
 #include "knotwork/scene/motion.h"
 
+#include <array>
+#include <string>
+#include <vector>
+
+#include "knotwork/curve/blending_curve.h"
+#include "unit/model_curves.h"
 #include "unit/oracle.h"
 
 namespace knotwork::scene::motion_test {
@@ -69,6 +75,43 @@ TEST_CASE("motion: the continuous limit meets oracle 11") {
     ++times;
   }
   CHECK(times == 4);
+}
+
+TEST_CASE("motion: the report's three motions of a blending curve's locals meet oracle 06") {
+  const nlohmann::json oracle = load_oracle("06_blending_curve.json");
+  REQUIRE(oracle.contains("cases"));
+  int motions = 0;
+  for (const auto& entry : oracle["cases"]) {
+    const std::string name = entry["name"].get<std::string>();
+    if (!name.starts_with("motion_")) continue;
+    CAPTURE(name);
+    const auto& inputs = entry["inputs"];
+    const MotionStep step = name == "motion_seed_code"     ? MotionStep::seed_code
+                            : name == "motion_parent_axes" ? MotionStep::parent_axes
+                                                           : MotionStep::report_text;
+    const KnotVector knots = KnotVector::make(1, Topology::closed, inputs["knots"].get<std::vector<double>>()).value();
+    const BlendingKind kind = find_blending_family(inputs["B_function"].get<std::string>())->kind;
+    std::vector<Eigen::Affine3d> locals = BlendingCurve::unmoved_locals(report_curve(), knots);
+    for (std::size_t k = 0; k < locals.size(); ++k) {
+      locals[k] = locals[k] *
+                  stepped_motion(step, inputs["frames"].get<int>(), inputs["dt"].get<double>(), static_cast<int>(k));
+      const Eigen::Affine3d expected = affine3(inputs["local_matrices_local_to_parent"][k]);
+      CHECK((locals[k].matrix() - expected.matrix()).norm() <= oracle_tolerance * expected.matrix().norm());
+    }
+    const BlendingCurve curve =
+        BlendingCurve::make(report_curve(), knots, BlendingFunction::make(kind).value(), {}, locals).value();
+    for (const auto& at : entry["points"]) {
+      std::array<Eigen::Vector3d, 4> jet;
+      curve.evaluate(at["t"].get<double>(), jet);
+      // The locals lie up to 5 apart, on knots 0.6 apart.
+      const double scale[] = {5, 10, 50, 300};
+      for (std::size_t k = 0; k < 4; ++k) {
+        CHECK(close(jet[k], vector3(at["derivatives"][k]), oracle_tolerance, scale[k]));
+      }
+    }
+    ++motions;
+  }
+  CHECK(motions == 3);
 }
 
 TEST_CASE("motion: small frames approach the continuous form, first order in dt") {

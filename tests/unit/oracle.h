@@ -14,7 +14,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "knotwork/surface/surface_jet.h"
@@ -55,6 +55,17 @@ inline const Eigen::Vector3d& jet_part(const SurfaceJet& jet, int k) {
 
 inline Eigen::Vector3d vector3(const nlohmann::json& a) {
   return {a[0].get<double>(), a[1].get<double>(), a[2].get<double>()};
+}
+
+/// A 4x4 matrix, row by row, without its last row.
+inline Eigen::Affine3d affine3(const nlohmann::json& matrix) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      map.matrix()(r, c) = matrix[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)].get<double>();
+    }
+  }
+  return map;
 }
 
 /// A file of tests/data; an empty object when it cannot be read, which the calling test notices by REQUIRE.

@@ -2,38 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <cstdint>
+
+#include "knotwork/basis/local_blend.h"
 
 namespace knotwork {
 namespace {
 
 using Matrix34 = Eigen::Matrix<double, 3, 4>;
 
-/// Knots may leave the model's domain, and periods differ, by this much of the domain's length: rounding, no more.
-constexpr double domain_tolerance = 1e-9;
-/// Bound on the entries of a local map, so that nothing computed from them overflows.
-constexpr double largest_entry = 1e100;
-
-/// One direction at one parameter: the two locals that meet there and their weights with two derivatives.
-struct DirectionBlend {
-  int first, second;                 ///< local indices; first is the one centred at the interval's start
-  std::array<double, 3> one, other;  ///< (1-B, ., .) and (B, B' delta, B'' delta^2)
-};
-
-DirectionBlend direction_blend(const KnotVector& knots, const BlendingFunction& blending, double reduced, int hint) {
-  const int i = knots.span(reduced, hint);
-  const double delta = 1 / (knots[i + 1] - knots[i]);
-  // w by a division, not by delta: exactly 1 at the end of an open direction.
-  const BlendingValue b = blending(translation_and_scaling(knots, 1, i, reduced));
-  const double b1 = b[1] * delta, b2 = b[2] * delta * delta;
-  return {i - 1, i == knots.count() ? 0 : i, {1 - b[0], -b1, -b2}, {b[0], b1, b2}};
-}
-
 /// A and its partials at one vertex times the model's jet.
-SurfaceJet blended(const DirectionBlend& u, const DirectionBlend& v, const Eigen::Affine3d& m00,
-                   const Eigen::Affine3d& m01, const Eigen::Affine3d& m10, const Eigen::Affine3d& m11,
-                   const SurfaceJet& p) {
+SurfaceJet blended(const LocalBlend& u, const LocalBlend& v, const Eigen::Affine3d& m00, const Eigen::Affine3d& m01,
+                   const Eigen::Affine3d& m10, const Eigen::Affine3d& m11, const SurfaceJet& p) {
   // Weighted sums and not "first plus weight times difference": a weight of exactly 0 or 1 must select exactly.
   std::array<Matrix34, 3> row0, row1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -59,45 +38,9 @@ SurfaceJet blended(const DirectionBlend& u, const DirectionBlend& v, const Eigen
   return jet;
 }
 
-Status check_direction(const char* path, const char* letter, const KnotVector& knots, const ModelSurface& model,
-                       const Interval& range, Topology closure) {
-  const std::string name(model_name(model));
-  if (knots.degree() != 1) return Error{path, "A blending surface needs knot vectors of degree 1."};
-  if (knots.closed() && closure == Topology::open) {
-    return Error{path, "The " + name + " is not closed in " + letter + ", so the surface cannot be closed there."};
-  }
-  const double length = range.end - range.start, slack = domain_tolerance * length;
-  if (knots.closed() && !(std::abs(knots.period() - length) <= slack)) {
-    return Error{path, "The period of the knots in " + std::string(letter) + " must be that of the " + name + "."};
-  }
-  if (knots.start() < range.start - slack || knots.end() > range.end + slack) {
-    return Error{path, "The knots in " + std::string(letter) + " must stay within the domain of the " + name + "."};
-  }
-  for (int i = 0; i < knots.interval_count(); ++i) {
-    // Second derivatives carry the square of the inverse width.
-    if (!(knots[i + 2] - knots[i + 1] >= domain_tolerance * length)) {
-      return Error{path, "Neighbouring knots in " + std::string(letter) + " are too close together."};
-    }
-  }
-  return success();
-}
-
 Eigen::Vector3d model_origin(const ModelSurface& model, const KnotVector& knots_u, const KnotVector& knots_v, int i,
                              int j) {
   return evaluate(model, knots_u[i + 1], knots_v[j + 1]).s;
-}
-
-/// Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
-bool usable(const Eigen::Affine3d& map) {
-  constexpr double bottom[4] = {0, 0, 0, 1};
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      const double entry = map.matrix()(row, column);
-      if (!std::isfinite(entry) || std::abs(entry) > largest_entry) return false;
-      if (row == 3 && entry != bottom[column]) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -121,23 +64,14 @@ Result<BlendingSurface> BlendingSurface::make(ModelSurface model, KnotVector kno
     return Error{"model." + valid.error().path, valid.error().message};
   }
   const SurfaceDomain where = domain(model);
-  if (const Status ok = check_direction("knots_u", "u", knots_u, model, where.u, where.closure_u); !ok) {
-    return ok.error();
-  }
-  if (const Status ok = check_direction("knots_v", "v", knots_v, model, where.v, where.closure_v); !ok) {
-    return ok.error();
-  }
+  const auto check = [&](const char* path, const char* letter, const KnotVector& knots, const Interval& range,
+                         Topology closure) {
+    return check_blending_knots(path, knots, {model_name(model), "surface", letter, range.start, range.end, closure});
+  };
+  if (const Status ok = check("knots_u", "u", knots_u, where.u, where.closure_u); !ok) return ok.error();
+  if (const Status ok = check("knots_v", "v", knots_v, where.v, where.closure_v); !ok) return ok.error();
   const std::size_t expected = static_cast<std::size_t>(knots_u.count()) * static_cast<std::size_t>(knots_v.count());
-  if (locals.size() != expected) {
-    return Error{"locals", "These knots need " + std::to_string(expected) + " local surfaces, but there are " +
-                               std::to_string(locals.size()) + "."};
-  }
-  for (std::size_t k = 0; k < locals.size(); ++k) {
-    if (!usable(locals[k])) {
-      return Error{"locals[" + std::to_string(k) + "]",
-                   "The map of a local surface must be affine, with finite entries."};
-    }
-  }
+  if (const Status ok = check_local_maps(locals, expected, "surface"); !ok) return ok.error();
   return BlendingSurface(std::move(model), std::move(knots_u), std::move(knots_v), std::move(blending),
                          std::move(locals));
 }
@@ -162,7 +96,7 @@ std::size_t BlendingSurface::index(int i, int j) const {
 const Eigen::Affine3d& BlendingSurface::local(int i, int j) const { return locals_[index(i, j)]; }
 
 void BlendingSurface::set_local(int i, int j, const Eigen::Affine3d& map) {
-  assert(usable(map));
+  assert(usable_local_map(map));
   locals_[index(i, j)] = map;
   model_maps_[index(i, j)] = map * Eigen::Translation3d(-model_origin(model_, knots_u_, knots_v_, i, j));
 }
@@ -201,23 +135,23 @@ void BlendingSurface::evaluate_grid(std::span<const double> u, std::span<const d
   assert(out.size() == u.size() * v.size());
   // v in blocks on the stack: no allocation, and B once a column and once a row and block.
   constexpr std::size_t block = 64;
-  std::array<DirectionBlend, block> blends_v;
+  std::array<LocalBlend, block> blends_v;
   std::array<double, block> reduced_v;
   for (std::size_t first = 0; first < v.size(); first += block) {
     const std::size_t size = std::min(block, v.size() - first);
     for (std::size_t b = 0; b < size; ++b) {
       reduced_v[b] = knots_v_.reduced(v[first + b]);
-      blends_v[b] = direction_blend(knots_v_, blending_, reduced_v[b], b > 0 ? blends_v[b - 1].first + 1 : 1);
+      blends_v[b] = local_blend(knots_v_, blending_, reduced_v[b], b > 0 ? blends_v[b - 1].span() : 1);
     }
     int hint_u = 1;
     for (std::size_t a = 0; a < u.size(); ++a) {
       const double reduced_u = knots_u_.reduced(u[a]);
-      const DirectionBlend blend_u = direction_blend(knots_u_, blending_, reduced_u, hint_u);
-      hint_u = blend_u.first + 1;
+      const LocalBlend blend_u = local_blend(knots_u_, blending_, reduced_u, hint_u);
+      hint_u = blend_u.span();
       const std::span<SurfaceJet> row = out.subspan(a * v.size() + first, size);
       knotwork::evaluate_grid(model_, {&reduced_u, 1}, std::span(reduced_v).first(size), row);
       for (std::size_t b = 0; b < size; ++b) {
-        const DirectionBlend& blend_v = blends_v[b];
+        const LocalBlend& blend_v = blends_v[b];
         row[b] =
             blended(blend_u, blend_v, model_map(blend_u.first, blend_v.first), model_map(blend_u.first, blend_v.second),
                     model_map(blend_u.second, blend_v.first), model_map(blend_u.second, blend_v.second), row[b]);
@@ -229,8 +163,8 @@ void BlendingSurface::evaluate_grid(std::span<const double> u, std::span<const d
 SurfaceJet BlendingSurface::evaluate_four_patches(double u, double v) const {
   const double reduced_u = knots_u_.reduced(u), reduced_v = knots_v_.reduced(v);
   const int i = knots_u_.span(reduced_u), j = knots_v_.span(reduced_v);
-  const DirectionBlend blend_u = direction_blend(knots_u_, blending_, reduced_u, i);
-  const DirectionBlend blend_v = direction_blend(knots_v_, blending_, reduced_v, j);
+  const LocalBlend blend_u = local_blend(knots_u_, blending_, reduced_u, i);
+  const LocalBlend blend_v = local_blend(knots_v_, blending_, reduced_v, j);
   SurfaceJet sum;
   for (int a = 0; a <= 1; ++a) {
     for (int b = 0; b <= 1; ++b) {
@@ -238,8 +172,8 @@ SurfaceJet BlendingSurface::evaluate_four_patches(double u, double v) const {
       const SurfaceJet s = evaluate_local(wraps_u ? 0 : i - 1 + a, wraps_v ? 0 : j - 1 + b,
                                           wraps_u ? reduced_u - knots_u_.period() : reduced_u,
                                           wraps_v ? reduced_v - knots_v_.period() : reduced_v);
-      const std::array<double, 3>& bu = a == 0 ? blend_u.one : blend_u.other;
-      const std::array<double, 3>& bv = b == 0 ? blend_v.one : blend_v.other;
+      const std::array<double, 4>& bu = a == 0 ? blend_u.one : blend_u.other;
+      const std::array<double, 4>& bv = b == 0 ? blend_v.one : blend_v.other;
       sum.s += bu[0] * bv[0] * s.s;
       sum.su += bv[0] * (bu[1] * s.s + bu[0] * s.su);
       sum.sv += bu[0] * (bv[1] * s.s + bv[0] * s.sv);
@@ -253,8 +187,8 @@ SurfaceJet BlendingSurface::evaluate_four_patches(double u, double v) const {
 
 std::array<BlendingSurface::Weight, 4> BlendingSurface::weights(double u, double v) const {
   const double reduced_u = knots_u_.reduced(u), reduced_v = knots_v_.reduced(v);
-  const DirectionBlend a = direction_blend(knots_u_, blending_, reduced_u, knots_u_.span(reduced_u));
-  const DirectionBlend b = direction_blend(knots_v_, blending_, reduced_v, knots_v_.span(reduced_v));
+  const LocalBlend a = local_blend(knots_u_, blending_, reduced_u, knots_u_.span(reduced_u));
+  const LocalBlend b = local_blend(knots_v_, blending_, reduced_v, knots_v_.span(reduced_v));
   return {{{a.first, b.first, a.one[0] * b.one[0]},
            {a.first, b.second, a.one[0] * b.other[0]},
            {a.second, b.first, a.other[0] * b.one[0]},
