@@ -5,8 +5,12 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/curve/banded_triangle.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/least_squares.cpp
+  knotwork/curve/parameterization.cpp
+  knotwork/curve/schoenberg_whitney.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
@@ -22,6 +26,8 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/knot_vector.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/least_squares.h
+  knotwork/curve/parameterization.h
   knotwork/curve/point_triangle.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
@@ -35,5 +41,8 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/curve/banded_triangle.h
   knotwork/curve/point_check.h
+  knotwork/curve/row_block.h
+  knotwork/curve/schoenberg_whitney.h
 )

@@ -1,6 +1,7 @@
 #include "knotwork/basis/bspline_basis.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 
@@ -51,6 +52,50 @@ void bspline_basis(const KnotVector& knots, int span, double t, int order, std::
     const std::span<double> row = out.subspan(static_cast<std::size_t>(k) * width, width);
     std::copy_n(values.begin(), d + 1, row.begin());
     for (int e = d + 1; e <= p; ++e) times_derivative(knots, span, e, row);
+  }
+}
+
+void bspline_basis_columns(const KnotVector& knots, int span, std::span<const double> t, std::span<double> out) {
+  const int p = knots.degree();
+  const std::size_t size = t.size();
+  assert(out.size() == size * (static_cast<std::size_t>(p) + 1));
+  assert(knots[span] < knots[span + 1]);
+
+  // times_factor() with the divisions by the widths taken out of the loop over the parameters. The bound keeps the
+  // reciprocals finite.
+  constexpr double least_width = 1e-290;
+  constexpr std::size_t most_factors = KnotVector::max_degree * (KnotVector::max_degree + 1) / 2;
+  std::array<double, most_factors> reciprocal;
+  for (int d = 1, k = 0; d <= p; ++d) {
+    for (int r = 0; r < d; ++r, ++k)
+      reciprocal[static_cast<std::size_t>(k)] =
+          1 / std::max(knots[span + 1 + r] - knots[span - d + 1 + r], least_width);
+  }
+  // So many parameters at a time that every inner loop has a fixed length, which compilers vectorize at any setting.
+  constexpr std::size_t lanes = 8;
+  using Lanes = std::array<double, lanes>;
+  for (std::size_t first = 0; first < size; first += lanes) {
+    const std::size_t here = std::min(lanes, size - first);
+    Lanes at;
+    for (std::size_t l = 0; l < lanes; ++l) at[l] = t[first + std::min(l, here - 1)];
+    std::array<Lanes, KnotVector::max_degree + 1> row;
+    row[0].fill(1);
+    std::size_t k = 0;
+    for (int d = 1; d <= p; ++d) {
+      Lanes carried{};
+      for (int r = 0; r < d; ++r, ++k) {
+        Lanes& values = row[static_cast<std::size_t>(r)];
+        const double from = knots[span - d + 1 + r], to = knots[span + 1 + r], per_width = reciprocal[k];
+        for (std::size_t l = 0; l < lanes; ++l) {
+          const double value = values[l];
+          values[l] = carried[l] + value * ((to - at[l]) * per_width);
+          carried[l] = value * ((at[l] - from) * per_width);
+        }
+      }
+      row[static_cast<std::size_t>(d)] = carried;
+    }
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(p); ++j)
+      std::copy_n(row[j].begin(), here, out.begin() + static_cast<std::ptrdiff_t>(j * size + first));
   }
 }
 
