@@ -61,8 +61,8 @@ void bspline_basis_columns(const KnotVector& knots, int span, std::span<const do
   assert(out.size() == size * (static_cast<std::size_t>(p) + 1));
   assert(knots[span] < knots[span + 1]);
 
-  // times_factor() with the divisions by the widths taken out of the loop over the parameters. The bound keeps the
-  // reciprocals finite.
+  // times_factor() with the divisions taken out of the loop over the parameters, and the distances to the knots found
+  // once. The bound keeps the reciprocals finite.
   constexpr double least_width = 1e-290;
   constexpr std::size_t most_factors = KnotVector::max_degree * (KnotVector::max_degree + 1) / 2;
   std::array<double, most_factors> reciprocal;
@@ -74,28 +74,40 @@ void bspline_basis_columns(const KnotVector& knots, int span, std::span<const do
   // So many parameters at a time that every inner loop has a fixed length, which compilers vectorize at any setting.
   constexpr std::size_t lanes = 8;
   using Lanes = std::array<double, lanes>;
+  std::array<Lanes, KnotVector::max_degree> from_left, to_right;  // t - t_{span-k} and t_{span+1+k} - t
+  std::array<Lanes, KnotVector::max_degree + 1> row;
   for (std::size_t first = 0; first < size; first += lanes) {
     const std::size_t here = std::min(lanes, size - first);
-    Lanes at;
-    for (std::size_t l = 0; l < lanes; ++l) at[l] = t[first + std::min(l, here - 1)];
-    std::array<Lanes, KnotVector::max_degree + 1> row;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(p); ++k) {
+      const double left = knots[span - static_cast<int>(k)], right = knots[span + 1 + static_cast<int>(k)];
+      for (std::size_t l = 0; l < lanes; ++l) {
+        const double at = t[first + std::min(l, here - 1)];
+        from_left[k][l] = at - left;
+        to_right[k][l] = right - at;
+      }
+    }
     row[0].fill(1);
-    std::size_t k = 0;
-    for (int d = 1; d <= p; ++d) {
+    const double* next_reciprocal = reciprocal.data();
+    for (std::size_t d = 1; d <= static_cast<std::size_t>(p); ++d) {
       Lanes carried{};
-      for (int r = 0; r < d; ++r, ++k) {
-        Lanes& values = row[static_cast<std::size_t>(r)];
-        const double from = knots[span - d + 1 + r], to = knots[span + 1 + r], per_width = reciprocal[k];
+      for (std::size_t r = 0; r < d; ++r) {
+        const double per_width = *next_reciprocal++;
         for (std::size_t l = 0; l < lanes; ++l) {
-          const double value = values[l];
-          values[l] = carried[l] + value * ((to - at[l]) * per_width);
-          carried[l] = value * ((at[l] - from) * per_width);
+          const double value = row[r][l] * per_width;
+          row[r][l] = carried[l] + value * to_right[r][l];
+          carried[l] = value * from_left[d - 1 - r][l];
         }
       }
-      row[static_cast<std::size_t>(d)] = carried;
+      row[d] = carried;
     }
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(p); ++j)
-      std::copy_n(row[j].begin(), here, out.begin() + static_cast<std::ptrdiff_t>(j * size + first));
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(p); ++j) {
+      double* const to = out.data() + j * size + first;
+      if (here == lanes) {
+        for (std::size_t l = 0; l < lanes; ++l) to[l] = row[j][l];
+      } else {
+        std::copy_n(row[j].begin(), here, to);
+      }
+    }
   }
 }
 

@@ -11,18 +11,15 @@ namespace {
 /// Numbers below this are zero: their squares would be subnormal, and solutions that divide by them overflow.
 constexpr double negligible = 1e-130;
 /// A solution of such a size has no meaning; stopping here keeps back substitution from overflowing.
-constexpr double largest_solution = 1e150;
+constexpr double largest_solution = 1e100;
 /// A pivot smaller than this, relative to its column's norm, is rounding error.
 constexpr double least_pivot = 1e-13;
 
 double dot(std::span<const double> a, std::span<const double> b) {
-  std::array<double, RowBlock::lanes> sums{};
-  for (std::size_t i = 0; i < a.size(); i += sums.size()) {
-    for (std::size_t l = 0; l < sums.size(); ++l) sums[l] += a[i + l] * b[i + l];
-  }
-  double sum = 0;
-  for (const double part : sums) sum += part;
-  return sum;
+  RowBlock::Lanes sums = RowBlock::Lanes::Zero();
+  for (std::size_t i = 0; i < a.size(); i += RowBlock::lanes)
+    sums += RowBlock::at(a.data() + i) * RowBlock::at(b.data() + i);
+  return sums.sum();
 }
 
 /// The reflection I + u u' / (beta u_0), u = (u_0, v), that takes (pivot, v) to (beta, 0). beta has the sign that lets
@@ -44,13 +41,8 @@ class Reflection {
   void apply(double& entry, std::span<double> c) const {
     const double factor = (entry + dot(v_, c) / top_) / beta_;
     entry += factor * top_;
-    const double* const v = v_.data();
-    double* const to = c.data();
-    for (std::size_t i = 0; i < c.size(); i += RowBlock::lanes) {
-      std::array<double, RowBlock::lanes> sums;
-      for (std::size_t l = 0; l < sums.size(); ++l) sums[l] = to[i + l] + factor * v[i + l];
-      for (std::size_t l = 0; l < sums.size(); ++l) to[i + l] = sums[l];
-    }
+    for (std::size_t i = 0; i < c.size(); i += RowBlock::lanes)
+      RowBlock::at(c.data() + i) += factor * RowBlock::at(v_.data() + i);
   }
 
  private:

@@ -26,8 +26,8 @@ constexpr std::size_t most_rows = 128;
 
 std::string element(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]"; }
 
-/// Finite first: comparing a NaN is itself a floating-point exception, and tests trap those.
-bool small_enough(double x) { return std::isfinite(x) && std::abs(x) <= LeastSquaresOptions::largest_number; }
+/// The comparison that is quiet about a NaN, and false.
+bool small_enough(double x) { return std::islessequal(std::abs(x), LeastSquaresOptions::largest_number); }
 
 Status check_input(const KnotVector& knots, Points points, std::span<const double> parameters,
                    const LeastSquaresOptions& options) {
@@ -76,6 +76,7 @@ class DataBySpan {
     count_.on.resize(spans + (knots.closed() ? 0 : 1));
     count_.inside.resize(spans);
     std::vector<std::uint16_t> span_of(parameters.size());
+    std::vector<double> different(spans * (static_cast<std::size_t>(knots.degree()) + 1));
     bool sorted = true;
     int span = knots.degree();
     for (std::size_t j = 0; j < parameters.size(); ++j) {
@@ -85,7 +86,10 @@ class DataBySpan {
       span_of[j] = static_cast<std::uint16_t>(s);
       sorted = sorted && (j == 0 || span_of[j - 1] <= s);
       ++begin_[s + 1];
-      if (weight(j) > 0) ++(t == knots[span] ? count_.on[s] : t == knots[span + 1] ? count_.on.back() : count_.inside[s]);
+      if (weight(j) > 0) {
+        ++total_;
+        count_parameter(span, t, different);
+      }
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     if (sorted) return;
@@ -95,12 +99,9 @@ class DataBySpan {
   }
 
   const KnotVector& knots() const { return knots_; }
-  const DataCount& count() const { return count_; }
-  /// Data of weight above 0.
-  int total() const {
-    return std::accumulate(count_.on.begin(), count_.on.end(), 0) +
-           std::accumulate(count_.inside.begin(), count_.inside.end(), 0);
-  }
+  /// Of the data of weight above 0.
+  const ParameterCount& count() const { return count_; }
+  std::size_t total() const { return total_; }
   /// The places of the data of span p + s are begin(s) .. begin(s + 1) - 1.
   std::size_t begin(std::size_t s) const { return begin_[s]; }
   /// The datum at a place.
@@ -112,12 +113,29 @@ class DataBySpan {
   const Eigen::Vector3d& point(std::size_t j) const { return points_[j]; }
 
  private:
+  /// `different` holds p+1 places for every span, for the parameters counted inside it.
+  void count_parameter(int span, double t, std::vector<double>& different) {
+    const std::size_t s = static_cast<std::size_t>(span - knots_.degree());
+    if (t == knots_[span]) {
+      count_.on[s] = 1;
+    } else if (t == knots_[span + 1]) {
+      count_.on.back() = 1;
+    } else if (count_.inside[s] <= knots_.degree()) {
+      double* const known = &different[s * (static_cast<std::size_t>(knots_.degree()) + 1)];
+      double* const end = known + count_.inside[s];
+      if (std::find(known, end, t) != end) return;
+      *end = t;
+      ++count_.inside[s];
+    }
+  }
+
   const KnotVector& knots_;
   Points points_;
   std::span<const double> parameters_, weights_;
   std::vector<std::size_t> begin_;
   std::vector<std::uint32_t> order_;  ///< empty when the data come in the order of their spans
-  DataCount count_;
+  ParameterCount count_;
+  std::size_t total_ = 0;
 };
 
 /// visit(s, first, size) for the data span by span, no more than most_rows at a time.
@@ -128,25 +146,27 @@ void for_each_chunk(const DataBySpan& data, std::size_t s, Visit visit) {
 }
 
 /// The rows of A and of the data at the places first .. first + size - 1, all of span p + s, without their weights.
-/// Columns between the basis functions and the data, if there are any, stay zero.
+/// Columns between the basis functions and the data, if there are any, are zero.
 void fill(const DataBySpan& data, std::size_t s, std::size_t first, std::size_t size, RowBlock& rows) {
   const std::size_t functions = static_cast<std::size_t>(data.knots().degree()) + 1;
-  rows.clear(size);
+  rows.resize(size);
   std::array<double, most_rows> t;
-  std::array<std::span<double>, 3> coordinates;
-  for (std::size_t c = 0; c < 3; ++c) coordinates[c] = rows.column(rows.columns() - 3 + c);
+  const std::span<double> x = rows.column(rows.columns() - 3), y = rows.column(rows.columns() - 2),
+                          z = rows.column(rows.columns() - 1);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t j = data[first + i];
+    const Eigen::Vector3d& point = data.point(j);
     t[i] = data.parameter(j);
-    for (std::size_t c = 0; c < 3; ++c) coordinates[c][i] = data.point(j)[static_cast<Eigen::Index>(c)];
+    x[i] = point.x();
+    y[i] = point.y();
+    z[i] = point.z();
   }
+  // The rows of zeros that fill the block up take any parameter, and lose their values again.
   std::fill_n(t.begin() + size, rows.rows() - size, t[0]);
   bspline_basis_columns(data.knots(), static_cast<int>(s) + data.knots().degree(), std::span(t).first(rows.rows()),
                         rows.columns(0, functions));
-  for (std::size_t k = 0; k < functions; ++k) {
-    const std::span<double> column = rows.column(k);
-    std::fill(column.begin() + static_cast<std::ptrdiff_t>(size), column.end(), 0.0);
-  }
+  for (std::size_t k = 0; k < functions; ++k) std::fill_n(rows.column(k).data() + size, rows.rows() - size, 0.0);
+  for (std::size_t k = functions; k + 3 < rows.columns(); ++k) std::fill_n(rows.column(k).data(), rows.rows(), 0.0);
 }
 
 void weigh(const DataBySpan& data, std::size_t first, std::size_t size, RowBlock& rows) {
@@ -222,32 +242,47 @@ Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points
   return control_points;
 }
 
+/// The distances of the points in `rows`, filled, from the curve, on whose span p + s they lie.
+void distances(const BSplineCurve& curve, std::size_t s, RowBlock& rows, std::span<double> out) {
+  const std::size_t functions = static_cast<std::size_t>(curve.degree()) + 1;
+  std::array<Eigen::Vector3d, KnotVector::max_degree + 1> local;
+  for (std::size_t k = 0; k < functions; ++k) local[k] = curve.point(static_cast<int>(s + k));
+  for (std::size_t i = 0; i < rows.rows(); i += RowBlock::lanes) {
+    RowBlock::Lanes squares = RowBlock::Lanes::Zero();
+    for (std::size_t c = 0; c < 3; ++c) {
+      RowBlock::Lanes error = RowBlock::at(rows.column(functions + c).data() + i);
+      for (std::size_t k = 0; k < functions; ++k)
+        error -= RowBlock::at(rows.column(k).data() + i) * local[k][static_cast<Eigen::Index>(c)];
+      squares += error * error;
+    }
+    RowBlock::at(out.data() + i) = squares.sqrt();
+  }
+}
+
 LeastSquaresFit measure(const DataBySpan& data, BSplineCurve curve, std::size_t size) {
   const KnotVector& knots = data.knots();
-  const std::size_t functions = static_cast<std::size_t>(knots.degree()) + 1;
   LeastSquaresFit fit{std::move(curve), 0, 0, std::vector<double>(size)};
-  RowBlock rows(functions + 3, most_rows);
+  RowBlock rows(static_cast<std::size_t>(knots.degree()) + 4, most_rows);
+  std::array<double, most_rows> distance;
+  double squares = 0, weights = 0;
   for (std::size_t s = 0; s < static_cast<std::size_t>(knots.interval_count()); ++s) {
     for_each_chunk(data, s, [&](std::size_t first, std::size_t here) {
       fill(data, s, first, here, rows);
-      for (std::size_t k = 0; k < functions; ++k) take_over(rows, k, fit.curve.point(static_cast<int>(s + k)));
+      distances(fit.curve, s, rows, distance);
+      double maximum = fit.maximum, square = 0, weight = 0;
       for (std::size_t i = 0; i < here; ++i) {
-        const Eigen::Vector3d error(rows.column(functions)[i], rows.column(functions + 1)[i],
-                                    rows.column(functions + 2)[i]);
-        fit.residuals[data[first + i]] = error.norm();
+        const std::size_t j = data[first + i];
+        fit.residuals[j] = distance[i];
+        maximum = std::max(maximum, distance[i]);
+        square += data.weight(j) * distance[i] * distance[i];
+        weight += data.weight(j);
       }
+      fit.maximum = maximum;
+      squares += square;
+      weights += weight;
     });
   }
-  fit.maximum = *std::max_element(fit.residuals.begin(), fit.residuals.end());
-  if (fit.maximum == 0) return fit;
-  // Relative to the greatest, squares of very small residuals do not vanish.
-  double squares = 0, weights = 0;
-  for (std::size_t j = 0; j < size; ++j) {
-    const double share = fit.residuals[j] / fit.maximum;
-    squares += data.weight(j) * share * share;
-    weights += data.weight(j);
-  }
-  if (weights > 0) fit.rms = fit.maximum * std::sqrt(squares / weights);
+  if (weights > 0) fit.rms = std::sqrt(squares / weights);
   return fit;
 }
 
@@ -259,9 +294,9 @@ Result<LeastSquaresFit> fit_least_squares(const KnotVector& knots, Points points
   const DataBySpan data(knots, points, parameters, options.weights);
   const int first = options.interpolate_ends ? 1 : 0, last = knots.count() - 1 - first;
   if (options.smoothing == 0) {
-    if (data.total() < last - first + 1) {
-      return Error{"points", "There are " + std::to_string(data.total()) + " points for " +
-                                 std::to_string(last - first + 1) +
+    const std::size_t wanted = static_cast<std::size_t>(last - first + 1);
+    if (data.total() < wanted) {
+      return Error{"points", "There are " + std::to_string(data.total()) + " points for " + std::to_string(wanted) +
                                  " control points: give more points, use fewer control points, or smooth."};
     }
     if (Status status = check_schoenberg_whitney(knots, data.count(), first, last); !status) return status.error();

@@ -22,7 +22,7 @@ struct LeastSquaresOptions {
   /// lambda >= 0, the weight of the penalty below. 0: none.
   double smoothing = 0;
   /// w_j >= 0, one for every point; a whole number counts as so many equal points. Empty: all 1.
-  std::span<const double> weights;
+  std::span<const double> weights = {};
 };
 
 struct LeastSquaresFit {
@@ -42,7 +42,7 @@ struct LeastSquaresFit {
 /// knots this is the second difference of P-splines (Eilers and Marx, Statistical Science 11, 1996). Straight lines cost
 /// nothing, so that a large lambda leads to the regression line (closed: to a point).
 ///
-/// Without smoothing there must be as many points as free control points, in places that satisfy Schoenberg and Whitney
+/// Without smoothing there must be as many points as free control points, at parameters that satisfy Schoenberg and Whitney
 /// (schoenberg_whitney.h); closed, that is not always enough: as many points as control points, both even, equidistant
 /// and on the knots of a curve of even degree determine nothing. With smoothing, two different parameters are enough
 /// (closed: one point; ends interpolated: none).

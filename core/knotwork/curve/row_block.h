@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace knotwork {
 
 /// Some rows of a matrix and of the right-hand sides beside it, column after column. The number of rows is filled up to
@@ -12,11 +14,20 @@ namespace knotwork {
 class RowBlock {
  public:
   static constexpr std::size_t lanes = 8;
+  /// So many numbers of a column, for arithmetic with them all.
+  using Lanes = Eigen::Array<double, lanes, 1>;
+  static Eigen::Map<Lanes> at(double* first) { return Eigen::Map<Lanes>(first); }
+  static Eigen::Map<const Lanes> at(const double* first) { return Eigen::Map<const Lanes>(first); }
 
   /// Room for so many rows; none are there yet.
   RowBlock(std::size_t columns, std::size_t most_rows) : columns_(columns), values_(columns * filled_up(most_rows)) {}
 
-  /// All rows zero. Precondition: rows <= most_rows.
+  /// So many rows, of any content but for those that fill up. Precondition: rows <= most_rows.
+  void resize(std::size_t rows) {
+    stride_ = filled_up(rows);
+    for (std::size_t j = 0; j < columns_; ++j) std::fill(column(j).data() + rows, column(j).data() + stride_, 0.0);
+  }
+  /// So many rows, all zero.
   void clear(std::size_t rows) {
     stride_ = filled_up(rows);
     std::fill_n(values_.begin(), columns_ * stride_, 0.0);
