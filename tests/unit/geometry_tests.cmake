@@ -8,14 +8,18 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
   unit/knot_vector_test.cpp
+  unit/least_squares_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
+  unit/parameterization_test.cpp
   unit/result_test.cpp
+  unit/schoenberg_whitney_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
+  property/least_squares_laws_test.cpp
   property/model_surface_laws_test.cpp
   property/surface_sampling_laws_test.cpp
 )

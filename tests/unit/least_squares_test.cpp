@@ -68,8 +68,7 @@ TEST_CASE("least squares fits of a circle meet oracle 03: open, closed, with int
     CAPTURE(name);
     const nlohmann::json& inputs = entry["inputs"];
     const Topology topology = inputs.contains("domain") ? Topology::closed : Topology::open;
-    const KnotVector knots =
-        KnotVector::make(inputs["degree"].get<int>(), topology, numbers(inputs["knots"])).value();
+    const KnotVector knots = KnotVector::make(inputs["degree"].get<int>(), topology, numbers(inputs["knots"])).value();
     const std::vector<double> parameters = numbers(inputs["parameters"]);
     if (!inputs.contains("points")) {
       const std::vector<Eigen::Vector3d> points(parameters.size(), Eigen::Vector3d::Ones());
@@ -131,7 +130,8 @@ TEST_CASE("closed curves through points meet oracle 02") {
     const double period = parameters.back() - parameters.front();
     parameters.pop_back();
     const std::vector<Eigen::Vector3d> points = vectors(inputs["points"]);
-    const KnotVector knots = averaged_knots(3, static_cast<int>(points.size()), Topology::closed, parameters, period).value();
+    const KnotVector knots =
+        averaged_knots(3, static_cast<int>(points.size()), Topology::closed, parameters, period).value();
     const std::vector<double> expected_knots = numbers(inputs["knots"]);
     REQUIRE(knots.knots().size() == expected_knots.size());
     for (std::size_t i = 0; i < expected_knots.size(); ++i)

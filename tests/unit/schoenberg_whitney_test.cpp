@@ -53,7 +53,8 @@ Eigen::MatrixXd matrix(const KnotVector& knots, const std::vector<double>& param
     const int span = knots.span(parameters[j]);
     bspline_basis(knots, span, parameters[j], 0, basis);
     for (int k = 0; k <= knots.degree(); ++k) {
-      a(static_cast<Eigen::Index>(j), (span - knots.degree() + k) % knots.count()) += basis[static_cast<std::size_t>(k)];
+      a(static_cast<Eigen::Index>(j), (span - knots.degree() + k) % knots.count()) +=
+          basis[static_cast<std::size_t>(k)];
     }
   }
   return a;
@@ -99,7 +100,8 @@ KnotVector random_open_knots(int degree, std::mt19937& random) {
   // Fewer at the ends, others outside.
   const int first = ends(random), last = ends(random);
   for (int k = 0; k <= degree - first; ++k) knots[static_cast<std::size_t>(k)] = -1 - (degree - first - k);
-  for (int k = 0; k <= degree - last; ++k) knots[knots.size() - 1 - static_cast<std::size_t>(k)] = 7 + (degree - last - k);
+  for (int k = 0; k <= degree - last; ++k)
+    knots[knots.size() - 1 - static_cast<std::size_t>(k)] = 7 + (degree - last - k);
   return KnotVector::make(degree, Topology::open, std::move(knots)).value();
 }
 

@@ -13,8 +13,8 @@
 namespace knotwork {
 
 /// min |A x - b|, A of n columns and any number of rows, b of three right-hand sides, by Householder reflections: only
-/// the triangle R of A = Q R is kept, and rows of A are worked into it as they come (sequential accumulation: Lawson and
-/// Hanson, Solving Least Squares Problems, ch. 27; de Boor's BNDACC).
+/// the triangle R of A = Q R is kept, and rows of A are worked into it as they come (sequential accumulation: Lawson
+/// and Hanson, Solving Least Squares Problems, ch. 27).
 ///
 /// The nonzeros of a row stand in `width` neighbouring columns. R then has the same width and n rows: m rows of A cost
 /// O(m width^2) time, and no memory. In a closed problem columns go round, n-1 having 0 as its neighbour; the rows that

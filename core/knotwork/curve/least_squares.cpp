@@ -20,8 +20,8 @@ namespace {
 
 using Points = std::span<const Eigen::Vector3d>;
 
-/// So many data go into the triangle at once: enough to make what is done once for all of them cheap, few enough to stay
-/// in the first-level cache.
+/// So many data go into the triangle at once: enough to make what is done once for all of them cheap, few enough to
+/// stay in the first-level cache.
 constexpr std::size_t most_rows = 128;
 
 std::string element(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]"; }
@@ -236,8 +236,9 @@ Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points
   }
   std::vector<Eigen::Vector3d> control_points(n);
   if (const std::optional<std::size_t> undetermined = triangle.solve(control_points)) {
-    return Error{"parameters", "The data determine control point " + std::to_string(*undetermined) +
-                                   " hardly or not at all: give more data near it, use other parameters or knots, or smooth more."};
+    return Error{"parameters",
+                 "The data determine control point " + std::to_string(*undetermined) +
+                     " hardly or not at all: give more data near it, use other parameters or knots, or smooth more."};
   }
   return control_points;
 }

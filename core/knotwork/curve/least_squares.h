@@ -34,23 +34,24 @@ struct LeastSquaresFit {
 
 /// The spline curve c on the given knots that makes
 ///   sum_j w_j |c(x_j) - p_j|^2 + lambda sum_i |d_i|^2
-/// least, for points p_j in model units at the parameters x_j (see parameterization.h), in any order. Open, x_j must lie in the
-/// domain; closed, it is brought into it.
+/// least, for points p_j in model units at the parameters x_j, in any order. Open, x_j must lie in the domain; closed, it
+/// is brought into it. parameterization.h has parameters for points, and knots for parameters.
 ///
-/// d_i = 2 (a_i c_{i-1} + b_i c_{i+1} - c_i), a_i + b_i = 1, twice the way from control point i to the straight line that
-/// its neighbours c_{i-1} and c_{i+1} span over their Greville abscissae; i = 1..n-2 open, all i closed. On equidistant
-/// knots this is the second difference of P-splines (Eilers and Marx, Statistical Science 11, 1996). Straight lines cost
-/// nothing, so that a large lambda leads to the regression line (closed: to a point).
+/// d_i = 2 (a_i c_{i-1} + b_i c_{i+1} - c_i), a_i + b_i = 1, is twice the way from control point i to the straight line
+/// through its neighbours, over the Greville abscissae; i = 1..n-2 open, all i closed. On equidistant knots that is the
+/// second difference of P-splines (Eilers and Marx, Statistical Science 11, 1996). Straight lines cost nothing, so that a
+/// large lambda leads to the regression line; closed, to the mean of the points.
 ///
-/// Without smoothing there must be as many points as free control points, at parameters that satisfy Schoenberg and Whitney
-/// (schoenberg_whitney.h); closed, that is not always enough: as many points as control points, both even, equidistant
-/// and on the knots of a curve of even degree determine nothing. With smoothing, two different parameters are enough
-/// (closed: one point; ends interpolated: none).
+/// Without smoothing, there must be as many points as free control points, at parameters that meet the conditions of
+/// Schoenberg and Whitney (schoenberg_whitney.h). Closed, that is not always enough: n points, equidistant, on the knots
+/// of a curve of even degree do not determine it when n is even. The pivots of the factorization show it. With smoothing,
+/// two different parameters are enough; closed or with interpolated ends, one.
 ///
 /// Banded Householder reflections, span by span (banded_triangle.h): O(m p^2) time, memory in proportion to m + n p.
 /// Control points have an error of about cond(A) 1e-16, as from Eigen's dense QR.
-/// Errors, with paths: `points` (too few, or not as many as parameters), `points[i]`, `parameters` (in places that leave control points
-/// undetermined), `parameters[j]`, `weights`, `weights[j]`, `smoothing`, `interpolate_ends`. Source: THEORY 2.4.
+/// Errors, with paths: `points` (too few, or not as many as parameters), `points[i]`, `parameters` (they leave control
+/// points undetermined; the message names basis functions), `parameters[j]`, `weights` (not as many as points),
+/// `weights[j]`, `smoothing`, `interpolate_ends`. Source: THEORY 2.4.
 Result<LeastSquaresFit> fit_least_squares(const KnotVector& knots, std::span<const Eigen::Vector3d> points,
                                           std::span<const double> parameters, const LeastSquaresOptions& options = {});
 

@@ -31,7 +31,8 @@ Status check_knot_input(int degree, int count, Topology topology, std::span<cons
   }
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     const std::string path = "parameters[" + std::to_string(j) + "]";
-    if (!allowed_parameter(parameters[j])) return Error{path, "A parameter must be a finite number of reasonable size."};
+    if (!allowed_parameter(parameters[j]))
+      return Error{path, "A parameter must be a finite number of reasonable size."};
     if (j > 0 && parameters[j] < parameters[j - 1]) return Error{path, "The parameters must not decrease."};
   }
   if (closed && (!allowed_parameter(period) || !(period > 0)))
