@@ -7,12 +7,16 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/knot_vector.cpp
   knotwork/basis/local_blend.cpp
   knotwork/catalogue_measure.cpp
+  knotwork/curve/banded_triangle.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/blending_curve.cpp
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/curve_catalogue.cpp
   knotwork/curve/lane_riesenfeld.cpp
+  knotwork/curve/least_squares.cpp
   knotwork/curve/model_curve.cpp
+  knotwork/curve/parameterization.cpp
+  knotwork/curve/schoenberg_whitney.cpp
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
@@ -34,7 +38,9 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/bspline_curve.h
   knotwork/curve/curve_catalogue.h
   knotwork/curve/lane_riesenfeld.h
+  knotwork/curve/least_squares.h
   knotwork/curve/model_curve.h
+  knotwork/curve/parameterization.h
   knotwork/curve/point_triangle.h
   knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
@@ -54,5 +60,8 @@ set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
   knotwork/basis/integer_power.h
   knotwork/basis/local_blend.h
+  knotwork/curve/banded_triangle.h
   knotwork/curve/point_check.h
+  knotwork/curve/row_block.h
+  knotwork/curve/schoenberg_whitney.h
 )

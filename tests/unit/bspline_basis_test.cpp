@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 #include "unit/oracle.h"
@@ -73,6 +74,33 @@ TEST_CASE("derivatives above the degree are 0") {
   std::vector<double> basis(3 * 6, 7.0);
   bspline_basis(knots, 2, 0.5, 5, basis);
   for (std::size_t k = 9; k < basis.size(); ++k) CHECK(basis[k] == 0);
+}
+
+TEST_CASE("the values of many parameters, column after column, are those of each") {
+  std::mt19937 random(31);
+  for (int degree = 1; degree <= KnotVector::max_degree; ++degree) {
+    for (const double size : {1e-250, 1.0, 1e90}) {
+      const KnotVector open = KnotVector::uniform(degree, degree + 3, Topology::open, 0, size).value();
+      const KnotVector closed = KnotVector::uniform(degree, degree + 3, Topology::closed, -size, size).value();
+      for (const KnotVector& knots : {open, closed}) {
+        for (const std::size_t count : {1U, 7U, 8U, 29U}) {
+          const int span = knots.degree() + 1;
+          std::uniform_real_distribution<double> place(knots[span], knots[span + 1]);
+          std::vector<double> t(count);
+          for (double& x : t) x = place(random);
+          t.front() = knots[span];
+          t.back() = knots[span + 1];
+          const std::size_t width = static_cast<std::size_t>(degree) + 1;
+          std::vector<double> columns(width * count), one(width);
+          bspline_basis_columns(knots, span, t, columns);
+          for (std::size_t k = 0; k < count; ++k) {
+            bspline_basis(knots, span, t[k], 0, one);
+            for (std::size_t j = 0; j < width; ++j) CHECK(close(columns[j * count + k], one[j], 1e-14));
+          }
+        }
+      }
+    }
+  }
 }
 
 }  // namespace knotwork::bspline_basis_test

