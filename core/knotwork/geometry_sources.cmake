@@ -7,9 +7,13 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/knot_vector.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/bspline_refinement.cpp
+  knotwork/curve/spline_pieces.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
+  knotwork/surface/bezier_surface.cpp
   knotwork/surface/blending_surface.cpp
+  knotwork/surface/bspline_surface.cpp
   knotwork/surface/model_surface.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
@@ -22,11 +26,15 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/knot_vector.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/bspline_refinement.h
   knotwork/curve/point_triangle.h
+  knotwork/curve/spline_pieces.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
+  knotwork/surface/bezier_surface.h
   knotwork/surface/blending_surface.h
+  knotwork/surface/bspline_surface.h
   knotwork/surface/model_surface.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
@@ -36,4 +44,5 @@ set(KNOTWORK_GEOMETRY_HEADERS
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
   knotwork/curve/point_check.h
+  knotwork/surface/net.h
 )
