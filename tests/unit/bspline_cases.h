@@ -49,6 +49,38 @@ inline std::vector<CurveOracle> curve_oracles(Topology topology) {
   return curves;
 }
 
+/// What oracle 13 says of a surface.
+struct SurfaceOracle {
+  std::string name;
+  BSplineSurface surface;
+  nlohmann::json points;
+};
+
+/// All surfaces of oracle 13; none when the file cannot be read. Closed in u where its name says so: the net then has
+/// the first rows again at its end.
+inline std::vector<SurfaceOracle> surface_oracles() {
+  const nlohmann::json oracle = load_oracle("13_tensor_surfaces.json");
+  std::vector<SurfaceOracle> surfaces;
+  if (!oracle.contains("cases")) return surfaces;
+  for (const nlohmann::json& entry : oracle["cases"]) {
+    const nlohmann::json& inputs = entry["inputs"];
+    const std::string name = entry["name"].get<std::string>();
+    const auto knots = [&](const char* direction, Topology topology) {
+      return KnotVector::make(inputs["degree_" + std::string(direction)].get<int>(), topology,
+                              inputs["knots_" + std::string(direction)].get<std::vector<double>>())
+          .value();
+    };
+    const KnotVector u = knots("u", name.rfind("closed_u", 0) == 0 ? Topology::closed : Topology::open);
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(u.count()); ++i) {
+      for (const nlohmann::json& point : inputs["control_net_[i][j]"][i]) points.push_back(vector3(point));
+    }
+    surfaces.push_back(
+        {name, BSplineSurface::make(u, knots("v", Topology::open), std::move(points)).value(), entry["points"]});
+  }
+  return surfaces;
+}
+
 /// The terms that the k-th derivative at t is the sum of: sum_j |D^k b_j(t)| |c_j|. Rounding is relative to this.
 inline double derivative_size(const BSplineCurve& curve, double t, int k) {
   const KnotVector& knots = curve.knots();
@@ -70,7 +102,8 @@ inline bool same_at(const BSplineCurve& a, const BSplineCurve& b, double t, int 
   a.evaluate(t, left);
   b.evaluate(t, right);
   for (std::size_t k = 0; k < left.size(); ++k) {
-    const double size = std::max(derivative_size(a, t, static_cast<int>(k)), derivative_size(b, t, static_cast<int>(k)));
+    const double size =
+        std::max(derivative_size(a, t, static_cast<int>(k)), derivative_size(b, t, static_cast<int>(k)));
     if (!close(right[k], left[k], tolerance, size).within) return false;
   }
   return true;

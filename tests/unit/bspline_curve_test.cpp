@@ -117,7 +117,8 @@ TEST_CASE("inserting a knot keeps the curve, open and closed, at knots, between 
   }
 }
 
-TEST_CASE("the blossom is affine, it is the curve on the diagonal, and control points are its values") {
+TEST_CASE(
+    "the blossom is affine, it is the curve and its derivatives on the diagonal, and control points are its values") {
   std::mt19937 random(12);
   for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::closed}) {
     for (int degree = 1; degree <= 9; ++degree) {
@@ -135,13 +136,21 @@ TEST_CASE("the blossom is affine, it is the curve on the diagonal, and control p
         CHECK(close(curve.blossom(span, std::vector<double>(p, t)), curve(t), 1e-13, polygon_size(curve)));
         // f(.., x, ..) with x between two arguments; neither need be a knot.
         std::vector<double> low, middle, high;
-        for (std::size_t k = 0; k < p; ++k) low.push_back(std::lerp(from, to, 0.3 * static_cast<double>(k + 1) / degree));
+        for (std::size_t k = 0; k < p; ++k)
+          low.push_back(std::lerp(from, to, 0.3 * static_cast<double>(k + 1) / degree));
         middle = high = low;
         middle.back() = std::lerp(from, to, 0.6);
         high.back() = to;
         const double share = (middle.back() - low.back()) / (high.back() - low.back());
         const Eigen::Vector3d mixed = (1 - share) * curve.blossom(span, low) + share * curve.blossom(span, high);
         CHECK(close(curve.blossom(span, middle), mixed, 1e-13, polygon_size(curve)));
+        // Fewer arguments: derivatives.
+        std::vector<Eigen::Vector3d> derivatives(p + 1);
+        curve.evaluate(t, derivatives);
+        for (std::size_t k = 0; k <= p; ++k) {
+          CHECK(close(curve.blossom(span, std::vector<double>(p - k, t)), derivatives[k], 1e-13,
+                      derivative_size(curve, t, static_cast<int>(k))));
+        }
       }
     }
   }
@@ -149,9 +158,8 @@ TEST_CASE("the blossom is affine, it is the curve on the diagonal, and control p
 
 TEST_CASE("a knot inserted p times brings a control point onto the curve") {
   std::mt19937 random(9);
-  BSplineCurve curve = BSplineCurve::make(KnotVector::uniform(3, 9, Topology::closed, 2, 11).value(),
-                                          random_points(9, random))
-                           .value();
+  BSplineCurve curve =
+      BSplineCurve::make(KnotVector::uniform(3, 9, Topology::closed, 2, 11).value(), random_points(9, random)).value();
   const Eigen::Vector3d there = curve(5.25);
   for (int times = 0; times < 3; ++times) curve = curve.with_knot(5.25).value();
   double least = 1e9;

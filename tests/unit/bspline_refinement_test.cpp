@@ -25,11 +25,11 @@ std::vector<double> parameters(const BSplineCurve& curve, int count, std::mt1993
   return t;
 }
 
-/// The largest distance between two curves over a fine grid of their domain.
+/// The largest distance between two curves over a grid of their domain.
 double distance(const BSplineCurve& a, const BSplineCurve& b) {
   double most = 0;
-  for (int step = 0; step <= 300; ++step) {
-    const double t = std::lerp(a.knots().start(), a.knots().end(), step / 300.0);
+  for (int step = 0; step <= 120; ++step) {
+    const double t = std::lerp(a.knots().start(), a.knots().end(), step / 120.0);
     most = std::max(most, (a(t) - b(t)).norm());
   }
   return most;
@@ -97,7 +97,7 @@ TEST_CASE("elevation keeps every curve and its derivatives; each distinct knot i
           if (inside) CHECK(raised.knots().multiplicity(t) == curve.knots().multiplicity(t) + 1);
         }
         CHECK(polygon_size(raised) <= polygon_size(curve) * (1 + 1e-14));  // convex combinations
-        for (const double t : parameters(curve, 20, random)) {
+        for (const double t : parameters(curve, 8, random)) {
           CHECK(same_at(curve, raised, t, degree + 1, 1e-12));
         }
       }
@@ -128,13 +128,12 @@ TEST_CASE("a Bezier curve and a B-spline of one piece are elevated alike") {
 
 TEST_CASE("a knot that was inserted can be removed, and the curve is what it was") {
   std::mt19937 random(24);
-  double worst = 0;
   for (const Ends ends : all_ends) {
     for (int degree = 1; degree <= 9; ++degree) {
       for (const int count : {degree + 2, degree + 6}) {
         const BSplineCurve curve = random_curve(degree, count, ends, random);
         const KnotVector& knots = curve.knots();
-        std::vector<double> places = parameters(curve, 6, random);
+        std::vector<double> places = parameters(curve, 3, random);
         places.insert(places.end(), knots.knots().begin(), knots.knots().end());
         for (const double place : places) {
           const double t = knots.reduced(place);
@@ -148,13 +147,11 @@ TEST_CASE("a knot that was inserted can be removed, and the curve is what it was
           CHECK(back.deviation <= 1e-13 * size);
           CHECK(back.curve.knots().count() == count);
           CHECK(back.curve.knots().start() == knots.start());
-          CHECK(distance(curve, back.curve) <= 1e-12 * size);
-          worst = std::max(worst, distance(curve, back.curve) / size);
+          CHECK(distance(curve, back.curve) <= 1e-13 * size);
         }
       }
     }
   }
-  MESSAGE("worst distance, relative: " << worst);
 }
 
 TEST_CASE("the deviation of a removal bounds the distance of the curves, and is met at degree 1") {
@@ -185,7 +182,6 @@ TEST_CASE("the deviation of a removal bounds the distance of the curves, and is 
 }
 
 TEST_CASE("a closed curve that loses the only knot at its start begins at the next") {
-  // A closed quadratic with a knot inserted at 5: the same curve starting there, and without the knot again.
   const KnotVector knots = KnotVector::uniform(2, 5, Topology::closed, 0, 5).value();
   std::mt19937 random(26);
   const BSplineCurve curve = BSplineCurve::make(knots, random_points(5, random)).value();
@@ -194,6 +190,21 @@ TEST_CASE("a closed curve that loses the only knot at its start begins at the ne
   CHECK(removal.curve.knots().end() == 6);
   CHECK(removal.deviation > 0.01);
   CHECK(distance(curve, removal.curve) <= removal.deviation);
+
+  // A removable one: the knot 5 put back, and the curve begun there by counting from another point.
+  const BSplineCurve back = removal.curve.with_knot(5).value();
+  const int turn = back.knots().span(5) - 2;
+  std::vector<double> turned;
+  std::vector<Eigen::Vector3d> points;
+  for (int k = turn; k < turn + 10; ++k) turned.push_back(back.knots()[k % 5] + 5 * (k / 5));
+  for (int k = turn; k < turn + 5; ++k) points.push_back(back.point(k));
+  const BSplineCurve begun = BSplineCurve::make(KnotVector::make(2, Topology::closed, turned).value(), points).value();
+  REQUIRE(begun.knots().start() == 5);
+  CHECK(distance(begun, back) < 1e-14);
+  const KnotRemoval again = without_knot(begun, 5).value();
+  CHECK(again.deviation < 1e-14);
+  CHECK(again.curve.knots().start() == 6);
+  CHECK(distance(again.curve, removal.curve) < 1e-14);
 }
 
 TEST_CASE("what has no knot to lose is refused, with the place") {
@@ -246,7 +257,8 @@ TEST_CASE("measured smoothness depends neither on units nor on the place in spac
   }();
   for (const double unit : {1e-6, 1.0, 1e6}) {
     std::vector<Eigen::Vector3d> points;
-    for (const Eigen::Vector3d& point : curve.points()) points.emplace_back(unit * (point + Eigen::Vector3d(1e4, 0, 0)));
+    for (const Eigen::Vector3d& point : curve.points())
+      points.emplace_back(unit * (point + Eigen::Vector3d(1e4, 0, 0)));
     for (const KnotContinuity& at : continuity(BSplineCurve::make(narrow, points).value())) {
       CHECK(at.multiplicity == 2);
       CHECK(at.smoothness == 2);
@@ -315,7 +327,6 @@ TEST_CASE("unclamping keeps the curve, and clamping gives back its points") {
 
 TEST_CASE("closed, cut open, closed again: the same curve") {
   std::mt19937 random(32);
-  double worst = 0;
   for (int degree = 1; degree <= 9; ++degree) {
     for (const int count : {degree + 1, degree + 6, 3 * degree + 4}) {
       const BSplineCurve curve = random_curve(degree, count, Ends::closed, random);
@@ -329,14 +340,11 @@ TEST_CASE("closed, cut open, closed again: the same curve") {
         CHECK(again.value().knots().closed());
         CHECK(again.value().knots().count() == count);
         CHECK(again.value().knots().multiplicity(0) == seam);
-        const double apart = distance(curve, again.value()) / polygon_size(curve);
-        CHECK(apart <= 1e-12);
-        worst = std::max(worst, apart);
+        CHECK(distance(curve, again.value()) <= 1e-13 * polygon_size(curve));
         for (const double t : parameters(curve, 10, random)) CHECK(same_at(curve, again.value(), t, 1, 1e-11));
       }
     }
   }
-  MESSAGE("worst distance, relative: " << worst);
 }
 
 TEST_CASE("ends that do not meet smoothly enough are refused, with the first derivative that differs") {
@@ -365,10 +373,9 @@ TEST_CASE("errors of conversions and of elevation, with their paths") {
   CHECK(closed(open, 0).error().path == "seam_multiplicity");
   CHECK(closed(open, 4).error().path == "seam_multiplicity");
   CHECK(closed(open, 1).error().path == "points");
-  const BSplineCurve still =
-      BSplineCurve::make(KnotVector::uniform(3, 5, Topology::open, 0, 2).value(),
-                         std::vector<Eigen::Vector3d>(5, Eigen::Vector3d::Ones()))
-          .value();
+  const BSplineCurve still = BSplineCurve::make(KnotVector::uniform(3, 5, Topology::open, 0, 2).value(),
+                                                std::vector<Eigen::Vector3d>(5, Eigen::Vector3d::Ones()))
+                                 .value();
   CHECK(closed(still).error().path == "count");
   CHECK(closed(still, 2).value().points().size() == 3);
   CHECK(elevated(uniform_curve(KnotVector::max_degree, 20, Topology::open, random)).error().path == "degree");

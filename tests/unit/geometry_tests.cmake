@@ -2,15 +2,19 @@
 set(KNOTWORK_GEOMETRY_TESTS
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
+  unit/bezier_surface_test.cpp
   unit/blending_function_test.cpp
   unit/blending_surface_test.cpp
   unit/blending_tables_test.cpp
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
+  unit/bspline_refinement_test.cpp
+  unit/bspline_surface_test.cpp
   unit/knot_vector_test.cpp
   unit/model_surface_test.cpp
   unit/oracle_test.cpp
   unit/result_test.cpp
+  unit/spline_pieces_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp

@@ -97,7 +97,8 @@ PointTriangle BSplineCurve::de_boor(double t) const {
 }
 
 Eigen::Vector3d BSplineCurve::blossom(int span, std::span<const double> arguments) const {
-  assert(arguments.size() == static_cast<std::size_t>(degree()) && knots_[span] < knots_[span + 1]);
+  const int derivative = degree() - static_cast<int>(arguments.size());
+  assert(derivative >= 0 && knots_[span] < knots_[span + 1]);
   // Arguments that are the knots next to the span, going outwards, need no work: they are t_{left+1} .. t_{right-1}.
   std::array<double, KnotVector::max_degree> others{};
   int count = 0, left = span, right = span + 1;
@@ -113,14 +114,21 @@ Eigen::Vector3d BSplineCurve::blossom(int span, std::span<const double> argument
   for (auto a = middle; a != arguments.end(); ++a) take(*a, right, 1);
 
   // De Boor's rounds for the others only: each replaces one of them, x, by the next knot on the left and on the right.
+  // Before them the rounds of differences, over the widest intervals.
+  const int rounds = count + derivative;
   std::array<Eigen::Vector3d, KnotVector::max_degree + 1> row;
-  for (int k = 0; k <= count; ++k) row[static_cast<std::size_t>(k)] = point(left - k);
-  for (int round = count; round > 0; --round) {
-    const double x = others[static_cast<std::size_t>(round - 1)];
+  for (int k = 0; k <= rounds; ++k) row[static_cast<std::size_t>(k)] = point(left - k);
+  for (int round = rounds; round > 0; --round) {
     for (int k = 0; k < round; ++k) {
       const double from = knots_[left - k], to = knots_[right + round - 1 - k];
       Eigen::Vector3d& here = row[static_cast<std::size_t>(k)];
-      here = ((to - x) * row[static_cast<std::size_t>(k) + 1] + (x - from) * here) / (to - from);
+      const Eigen::Vector3d& other = row[static_cast<std::size_t>(k) + 1];
+      if (round > count) {
+        here = (degree() - rounds + round) * (here - other) / (to - from);
+      } else {
+        const double x = others[static_cast<std::size_t>(round - 1)];
+        here = ((to - x) * other + (x - from) * here) / (to - from);
+      }
     }
   }
   return row[0];

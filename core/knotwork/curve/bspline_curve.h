@@ -42,8 +42,9 @@ class BSplineCurve {
 
   /// The blossom (polar form) f(a_1, .., a_p) of the polynomial on a span: symmetric, affine in each argument, and
   /// f(t, .., t) = c(t) there. Control points are blossoms, c_i = f(t_{i+1}, .., t_{i+p}), so that every change of the knots
-  /// asks for f only: O(p^2), and by convex combinations alone where the arguments hold all knots between them.
-  /// `arguments`: p numbers that do not decrease. `span`: one that is not empty, p to knots().last_span().
+  /// asks for f only: O(p^2), and by convex combinations alone where the arguments hold all knots between them. Of fewer
+  /// arguments, p-r, it is the blossom of the r-th derivative. `arguments` do not decrease. `span`: one that is not empty,
+  /// p to knots().last_span().
   Eigen::Vector3d blossom(int span, std::span<const double> arguments) const;
 
   /// The Greville abscissae (t_{i+1} + .. + t_{i+p}) / p, i = 0..n-1: where control point i has its greatest say.

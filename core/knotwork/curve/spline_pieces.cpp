@@ -19,29 +19,30 @@ void store(const Block& x, const Block& y, const Block& z, std::size_t stride, E
 }  // namespace
 
 SplinePieces::SplinePieces(const BSplineCurve& curve) : knots_(curve.knots()) {
-  const std::vector<BezierCurve> pieces = curve.bezier_pieces();
-  for (const BezierCurve& piece : pieces) {
-    breaks_.push_back(piece.start());
-    inverse_widths_.push_back(1 / (piece.end() - piece.start()));
-    std::vector<Eigen::Vector3d> points(piece.points().begin(), piece.points().end());
-    for (std::size_t order = 0; order < coefficients_.size() && !points.empty(); ++order) {
-      const double top = static_cast<double>(points.size()) - 1;
+  std::array<double, KnotVector::max_degree> arguments;
+  for (int span = degree(); span <= knots_.last_span(); ++span) {
+    const double from = knots_[span], to = knots_[span + 1];
+    if (!(from < to)) continue;
+    breaks_.push_back(from);
+    inverse_widths_.push_back(1 / (to - from));
+    // Each derivative's points from the control points: differences of the piece's own would lose the digits that
+    // neighbouring points have in common where the piece is short.
+    for (int order = 0; order <= std::min(max_order, degree()); ++order) {
+      const int top = degree() - order;
+      const std::span<double> ends = std::span(arguments).first(static_cast<std::size_t>(top));
+      std::fill(ends.begin(), ends.end(), from);
       double binomial = 1;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        coefficients_[order].emplace_back(binomial * points[k]);
-        binomial = binomial * (top - static_cast<double>(k)) / static_cast<double>(k + 1);
+      for (int k = 0; k <= top; ++k) {
+        if (k > 0) ends[static_cast<std::size_t>(top - k)] = to;
+        coefficients_[static_cast<std::size_t>(order)].emplace_back(binomial * curve.blossom(span, ends));
+        binomial = binomial * (top - k) / (k + 1);
       }
-      // The points of the hodograph.
-      for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        points[k] = top * inverse_widths_.back() * (points[k + 1] - points[k]);
-      }
-      points.pop_back();
     }
   }
   breaks_.push_back(knots_.end());
 
-  breaks_before_.assign(pieces.size() + 1, 0);
-  for (std::size_t k = 1; k < pieces.size(); ++k) ++breaks_before_[bucket_of(breaks_[k]) + 1];
+  breaks_before_.assign(breaks_.size(), 0);
+  for (std::size_t k = 1; k + 1 < breaks_.size(); ++k) ++breaks_before_[bucket_of(breaks_[k]) + 1];
   for (std::size_t b = 1; b < breaks_before_.size(); ++b) breaks_before_[b] += breaks_before_[b - 1];
 }
 
