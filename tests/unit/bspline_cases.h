@@ -81,19 +81,27 @@ inline std::vector<SurfaceOracle> surface_oracles() {
   return surfaces;
 }
 
-/// The terms that the k-th derivative at t is the sum of: sum_j |D^k b_j(t)| |c_j|. Rounding is relative to this.
-inline double derivative_size(const BSplineCurve& curve, double t, int k) {
-  const KnotVector& knots = curve.knots();
+/// sum_j |D^k b_j(t)| weight(j), over the splines that are not 0 at t.
+template <class Weight>
+double weighted_basis_size(const KnotVector& knots, double t, int k, const Weight& weight) {
   const double inside = knots.reduced(t);
   const int span = knots.span(inside), p = knots.degree();
   const std::size_t width = static_cast<std::size_t>(p) + 1, row = static_cast<std::size_t>(k) * width;
   std::vector<double> basis(row + width);
   bspline_basis(knots, span, inside, k, basis);
   double size = 0;
-  for (std::size_t j = 0; j < width; ++j) {
-    size += std::abs(basis[row + j]) * curve.point(span - p + static_cast<int>(j)).norm();
-  }
+  for (std::size_t j = 0; j < width; ++j) size += std::abs(basis[row + j]) * weight(span - p + static_cast<int>(j));
   return size;
+}
+
+/// The largest k-th derivative at t that control points of norm 1 can make.
+inline double basis_size(const KnotVector& knots, double t, int k) {
+  return weighted_basis_size(knots, t, k, [](int) { return 1.0; });
+}
+
+/// The terms that the k-th derivative at t is the sum of: sum_j |D^k b_j(t)| |c_j|. Rounding is relative to this.
+inline double derivative_size(const BSplineCurve& curve, double t, int k) {
+  return weighted_basis_size(curve.knots(), t, k, [&](int j) { return curve.point(j).norm(); });
 }
 
 /// Whether two curves have the same derivatives 0..order at t.
@@ -129,7 +137,8 @@ inline std::vector<Eigen::Vector3d> random_points(std::size_t count, std::mt1993
 
 enum class Ends { clamped, unclamped, closed };
 
-/// Knots drawn from few places, so that many are repeated; the domain is [0, 6], closed with any copy of the start as t_p.
+/// Knots drawn from few places, so that many are repeated; the domain is [0, 6], closed with any copy of the start as
+/// t_p.
 inline KnotVector random_knots(int degree, int count, Ends ends, std::mt19937& random) {
   std::uniform_int_distribution<int> place(0, 5), offset(0, degree);
   std::uniform_real_distribution<double> width(0.25, 1.5);

@@ -196,7 +196,10 @@ TEST_CASE("a closed curve that loses the only knot at its start begins at the ne
   const int turn = back.knots().span(5) - 2;
   std::vector<double> turned;
   std::vector<Eigen::Vector3d> points;
-  for (int k = turn; k < turn + 10; ++k) turned.push_back(back.knots()[k % 5] + 5 * (k / 5));
+  for (int k = turn; k < turn + 10; ++k) {
+    const int round = k / 5;
+    turned.push_back(back.knots()[k - 5 * round] + 5.0 * round);
+  }
   for (int k = turn; k < turn + 5; ++k) points.push_back(back.point(k));
   const BSplineCurve begun = BSplineCurve::make(KnotVector::make(2, Topology::closed, turned).value(), points).value();
   REQUIRE(begun.knots().start() == 5);

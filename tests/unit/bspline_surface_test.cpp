@@ -51,14 +51,6 @@ double largest_point(const BSplineSurface& surface) {
   return size;
 }
 
-/// What the points could make of the k-th derivative of a direction's splines: sum |D^k b_i(t)|.
-double basis_size(const KnotVector& knots, double t, int order) {
-  const BSplineCurve ones =
-      BSplineCurve::make(knots, std::vector<Eigen::Vector3d>(static_cast<std::size_t>(knots.count()), {1, 0, 0}))
-          .value();
-  return derivative_size(ones, t, order);
-}
-
 /// The size of the terms of each vector of the jet.
 std::array<double, 6> jet_sizes(const BSplineSurface& surface, double u, double v) {
   constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
@@ -127,7 +119,7 @@ TEST_CASE("a net of products is the product of curves, in all partials of any or
       const BSplineCurve f = random_curve(p, 9, ends_u, random), g = random_curve(q, 8, ends_v, random);
       std::vector<Eigen::Vector3d> points;
       for (const Eigen::Vector3d& a : f.points()) {
-        for (const Eigen::Vector3d& b : g.points()) points.push_back(a.cwiseProduct(b));
+        for (const Eigen::Vector3d& b : g.points()) points.emplace_back(a.cwiseProduct(b));
       }
       const BSplineSurface surface = BSplineSurface::make(f.knots(), g.knots(), std::move(points)).value();
       for (const double u : parameters(f.knots(), 5, random)) {
@@ -244,8 +236,9 @@ TEST_CASE("closed directions repeat, open ones are clamped") {
   CHECK(surface.evaluate(1, 7).s == surface.evaluate(1, 6).s);
   CHECK(surface.evaluate(1, -1).sv == surface.evaluate(1, 0).sv);
   // At the clamped end the surface is the curve of its last column.
-  std::vector<Eigen::Vector3d> column;
-  for (int i = 0; i < surface.knots_u().count(); ++i) column.push_back(surface.point(i, surface.knots_v().count() - 1));
+  const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
+  std::vector<Eigen::Vector3d> column(static_cast<std::size_t>(n_u));
+  for (int i = 0; i < n_u; ++i) column[static_cast<std::size_t>(i)] = surface.point(i, n_v - 1);
   CHECK(surface.evaluate(1, 6).s == BSplineCurve::make(surface.knots_u(), column).value()(1));
 }
 

@@ -17,7 +17,7 @@ constexpr double stated = 1e-13;
 
 /// The largest |D^k c| that points of this size can have at t.
 double bound_at(const BSplineCurve& curve, double t, std::size_t k) {
-  return derivative_size(curve, t, static_cast<int>(k)) / derivative_size(curve, t, 0) * polygon_size(curve);
+  return basis_size(curve.knots(), t, static_cast<int>(k)) * polygon_size(curve);
 }
 
 /// Parameters inside, outside, at knots and next to them, sorted.
@@ -26,6 +26,7 @@ std::vector<double> parameters(const BSplineCurve& curve, std::mt19937& random) 
   std::uniform_real_distribution<double> place(knots.start() - 0.2 * knots.period(),
                                                knots.end() + 0.2 * knots.period());
   std::vector<double> t;
+  t.reserve(40 + 2 * knots.knots().size());
   for (int k = 0; k < 40; ++k) t.push_back(place(random));
   for (const double knot : knots.knots()) {
     t.push_back(knot);
@@ -84,15 +85,12 @@ TEST_CASE("at every degree, sorted or not, inside, outside and at knots, the pie
       const BSplineCurve curve = random_curve(degree, degree + 6, ends, random);
       std::vector<double> t = parameters(curve, random);
       CAPTURE(degree);
-      for (const int order : {0, 2}) {
-        std::sort(t.begin(), t.end());
-        CHECK(worst_error(curve, t, order) < 1);
-        std::shuffle(t.begin(), t.end(), random);
-        worst = std::max(worst, worst_error(curve, t, order));
-      }
+      CHECK(worst_error(curve, t, 2) < 1);
+      std::shuffle(t.begin(), t.end(), random);
+      worst = std::max(worst, worst_error(curve, t, degree % 2));
     }
   }
-  CHECK(worst < 1);  // 0.02 was measured
+  CHECK(worst < 0.2);  // 0.02 was measured
 }
 
 TEST_CASE("the comparison with the curve sees a point that is off by 1e-11") {

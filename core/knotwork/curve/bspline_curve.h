@@ -12,8 +12,8 @@
 
 namespace knotwork {
 
-/// A B-spline curve of degree p with n control points in model units: c(t) = sum_i c_i b_{i,p}(t). Open or closed as its
-/// knot vector is; closed, the points go round: c_{i+n} = c_i. A parameter outside is brought into the domain, by
+/// A B-spline curve of degree p with n control points in model units: c(t) = sum_i c_i b_{i,p}(t). Open or closed as
+/// its knot vector is; closed, the points go round: c_{i+n} = c_i. A parameter outside is brought into the domain, by
 /// clamping (open) or by the period (closed). At a knot, derivatives are those of the interval on its right; at the end
 /// of an open curve, of the interval on its left. Valid once constructed. Source: THEORY 2.1, 2.2.
 class BSplineCurve {
@@ -41,10 +41,10 @@ class BSplineCurve {
   PointTriangle de_boor(double t) const;
 
   /// The blossom (polar form) f(a_1, .., a_p) of the polynomial on a span: symmetric, affine in each argument, and
-  /// f(t, .., t) = c(t) there. Control points are blossoms, c_i = f(t_{i+1}, .., t_{i+p}), so that every change of the knots
-  /// asks for f only: O(p^2), and by convex combinations alone where the arguments hold all knots between them. Of fewer
-  /// arguments, p-r, it is the blossom of the r-th derivative. `arguments` do not decrease. `span`: one that is not empty,
-  /// p to knots().last_span().
+  /// f(t, .., t) = c(t) there. Control points are blossoms, c_i = f(t_{i+1}, .., t_{i+p}), so that every change of the
+  /// knots asks for f only: O(p^2), and by convex combinations alone where the arguments hold all knots between them.
+  /// Of fewer arguments, p-r, it is the blossom of the r-th derivative. `arguments` do not decrease. `span`: one that is
+  /// not empty, p to knots().last_span(). Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
   Eigen::Vector3d blossom(int span, std::span<const double> arguments) const;
 
   /// The Greville abscissae (t_{i+1} + .. + t_{i+p}) / p, i = 0..n-1: where control point i has its greatest say.

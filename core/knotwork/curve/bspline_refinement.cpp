@@ -68,8 +68,8 @@ Result<KnotVector> elevated_knots(const KnotVector& knots) {
                           std::vector<double>(first_inside - degree - 1, first_end + degree + 1));
 }
 
-/// The points that belong to other knots u for the same domain: point j is point_at(span, u_{j+1} .. u_{j+degree}), with
-/// that span of the old curve which holds the widest interval of u where point j counts.
+/// The points that belong to other knots u for the same domain: point j is point_at(span, u_{j+1} .. u_{j+degree}),
+/// with that span of the old curve which holds the widest interval of u where point j counts.
 template <class PointAt>
 Result<BSplineCurve> on_knots(const BSplineCurve& curve, const Result<KnotVector>& knots, const PointAt& point_at) {
   if (!knots) return knots.error();
@@ -122,7 +122,7 @@ SideDerivatives side_derivatives(const BSplineCurve& curve, int span, double t, 
 /// How many derivatives, from the 0th on, agree between the end of one span and the start of another.
 int agreeing_derivatives(const BSplineCurve& curve, int before, int after) {
   const KnotVector& knots = curve.knots();
-  const Eigen::Vector3d origin = curve.point(after);
+  const Eigen::Vector3d& origin = curve.point(after);
   const SideDerivatives left = side_derivatives(curve, before, knots[before + 1], origin);
   const SideDerivatives right = side_derivatives(curve, after, knots[after], origin);
   for (int k = 0; k <= knots.degree(); ++k) {
@@ -156,8 +156,8 @@ Result<KnotRemoval> without_knot(const BSplineCurve& curve, double t) {
   const double x = old.reduced(t);
   const int r = old.span(x);
   const auto share = [&](int j) { return (x - old[j]) / (old[j + p + 1] - old[j]); };
-  // Solved forwards a division is by a_j, backwards by 1-a_j: each as long as that is 1/2 or more. The equation left over
-  // is one of the two where they meet.
+  // Solved forwards a division is by a_j, backwards by 1-a_j: each as long as that is 1/2 or more. The equation left
+  // over is one of the two where they meet.
   int unmet = r - p;
   while (unmet < r - 1 && share(unmet) >= 0.5) ++unmet;
   if (unmet > r - p && share(unmet - 1) - 0.5 < std::abs(0.5 - share(unmet))) --unmet;
@@ -172,27 +172,31 @@ Result<KnotRemoval> without_knot(const BSplineCurve& curve, double t) {
   const double deviation = (curve.point(unmet) - ((1 - a) * d(unmet - 1) + a * d(unmet))).norm();
 
   std::vector<Eigen::Vector3d> points;
+  const auto removal = [&](const Result<KnotVector>& knots) -> Result<KnotRemoval> {
+    if (!knots) return Error{"t", "Without this knot the others are too close together."};
+    Result<BSplineCurve> made = BSplineCurve::make(knots.value(), std::move(points));
+    if (!made) return made.error();
+    return KnotRemoval{std::move(made).value(), deviation};
+  };
   if (!closed) {
-    for (int j = 0; j < n - 1; ++j)
+    for (int j = 0; j < n - 1; ++j) {
       points.push_back(j < r - p ? curve.point(j) : j < r - 1 ? d(j) : curve.point(j + 1));
+    }
     std::vector<double> knots(old.knots().begin(), old.knots().end());
     knots.erase(knots.begin() + r);
-    return KnotRemoval{
-        BSplineCurve::make(KnotVector::make(p, Topology::open, std::move(knots)).value(), points).value(), deviation};
+    return removal(KnotVector::make(p, Topology::open, std::move(knots)));
   }
   std::vector<double> period = one_period(old);
   period.erase(std::find(period.begin(), period.end(), x));
   const double start = period.front();
-  const Result<KnotVector> knots = closed_knots(p, period, start > old.start() ? start + old.period() : old.end());
-  if (!knots) return Error{"t", "Without this knot the others are too close together."};
-  // The new vector begins p places before the last copy of its start, which stood at `first` without the knot r.
+  // The new vector begins p places before the last copy of its start, which stood at `first + p` without the knot r.
   const int last_copy = old.span(start), first = (last_copy < r ? last_copy : last_copy - 1) - p;
   for (int k = 0; k < n - 1; ++k) {
     // As a place in d_{r-p}, d_{r-p+1}, .., d_{r-p+n-2}, after which they repeat.
     const int place = (k + first - (r - p) + 2 * (n - 1)) % (n - 1);
     points.push_back(place < p - 1 ? d(r - p + place) : curve.point(r - p + place + 1));
   }
-  return KnotRemoval{BSplineCurve::make(knots.value(), std::move(points)).value(), deviation};
+  return removal(closed_knots(p, period, start > old.start() ? start + old.period() : old.end()));
 }
 
 Result<BSplineCurve> elevated(const BSplineCurve& curve) {
@@ -240,8 +244,8 @@ Result<BSplineCurve> unclamped(const BSplineCurve& curve) {
   const KnotVector& old = curve.knots();
   const int p = old.degree();
   if (old.closed()) {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < old.count() + p; ++i) points.push_back(curve.point(i));
+    std::vector<Eigen::Vector3d> points(curve.points().begin(), curve.points().end());
+    for (int i = 0; i < p; ++i) points.push_back(curve.point(old.count() + i));
     const Result<KnotVector> knots =
         KnotVector::make(p, Topology::open, std::vector<double>(old.knots().begin(), old.knots().end()));
     return knots ? BSplineCurve::make(knots.value(), std::move(points)) : Result<BSplineCurve>(knots.error());

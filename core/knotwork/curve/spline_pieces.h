@@ -13,11 +13,12 @@ namespace knotwork {
 
 /// A B-spline curve prepared for evaluation at very many parameters: the Bezier points of every piece and of its first
 /// two derivatives, with the binomial factors already multiplied in. A point costs p steps of three operations, instead
-/// of BSplineCurve's O(p^2) for its basis. The same curve at the same parameters: clamped or wrapped into the domain, at a
-/// knot the piece on its right, at an open end the last one. Error below 1e-13 of the control polygon's size (derivatives:
-/// of the largest |D^k c| that points of this size can have), at every degree: all terms are convex combinations.
-/// Takes 3p points of memory for each piece; built in O(p^3) for each. Source: THEORY 2.3; Farin, Curves and Surfaces for CAGD, 5th ed., 5.9
-/// (nested multiplication in Bernstein form).
+/// of BSplineCurve's O(p^2) for its basis. The same curve at the same parameters: clamped or wrapped into the domain,
+/// at a knot the piece on its right, at an open end the last one. Error below 1e-13 of the control polygon's size
+/// (derivatives: of the largest |D^k c| that points of this size can have), at every degree: all terms are convex
+/// combinations.
+/// Takes 3p points of memory for each piece; built in O(p^3) for each. Source: THEORY 2.3; Farin, Curves and Surfaces
+/// for CAGD (nested multiplication in Bernstein form).
 class SplinePieces {
  public:
   static constexpr int max_order = 2;

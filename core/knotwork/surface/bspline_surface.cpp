@@ -29,8 +29,8 @@ struct JetBasis {
   }
 };
 
-/// For one u the sums over i of c_ij and the splines' derivatives, for as many columns j as a v needs at a time. A column
-/// stays until one takes its place that is degree+1 further.
+/// For one u the sums over i of c_ij and the splines' derivatives, for as many columns j as a v needs at a time. A
+/// column stays until one takes its place that is degree+1 further.
 struct ColumnSums {
   struct Column {
     int j = -1;

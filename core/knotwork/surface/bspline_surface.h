@@ -31,10 +31,11 @@ class BSplineSurface {
   const Eigen::Vector3d& point(int i, int j) const;
 
   SurfaceJet evaluate(double u, double v) const;
-  /// u and v must not be NaN. Error below 1e-13 of the largest partial that points of this size can have on these knots.
+  /// u and v must not be NaN. Error below 1e-13 of the largest partial that points of this size can have on these
+  /// knots.
   void evaluate(std::span<const Eigen::Vector2d> uv, std::span<SurfaceJet> out) const;
-  /// All pairs: out[a * v.size() + b] belongs to (u[a], v[b]). The basis is evaluated once a row and column, and columns
-  /// of the net are summed once a row as long as v is sorted. Allocates nothing.
+  /// All pairs: out[a * v.size() + b] belongs to (u[a], v[b]). The basis is evaluated once a row and column, and
+  /// columns of the net are summed once a row as long as v is sorted. Allocates nothing.
   void evaluate_grid(std::span<const double> u, std::span<const double> v, std::span<SurfaceJet> out) const;
   /// out[a (order_v+1) + b] = the partial of order a by u and b by v, a <= order_u, b <= order_v; 0 above the degrees.
   void evaluate(double u, double v, int order_u, int order_v, std::span<Eigen::Vector3d> out) const;
