@@ -11,16 +11,20 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/blending_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/bspline_refinement.cpp
   knotwork/curve/curve_catalogue.cpp
   knotwork/curve/lane_riesenfeld.cpp
   knotwork/curve/least_squares.cpp
   knotwork/curve/model_curve.cpp
   knotwork/curve/parameterization.cpp
   knotwork/curve/schoenberg_whitney.cpp
+  knotwork/curve/spline_pieces.cpp
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
+  knotwork/surface/bezier_surface.cpp
   knotwork/surface/blending_surface.cpp
+  knotwork/surface/bspline_surface.cpp
   knotwork/surface/model_surface.cpp
   knotwork/surface/surface_catalogue.cpp
   knotwork/surface/surface_measures.cpp
@@ -36,18 +40,22 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/bezier_curve.h
   knotwork/curve/blending_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/bspline_refinement.h
   knotwork/curve/curve_catalogue.h
   knotwork/curve/lane_riesenfeld.h
   knotwork/curve/least_squares.h
   knotwork/curve/model_curve.h
   knotwork/curve/parameterization.h
   knotwork/curve/point_triangle.h
+  knotwork/curve/spline_pieces.h
   knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
   knotwork/result.h
+  knotwork/surface/bezier_surface.h
   knotwork/surface/blending_surface.h
+  knotwork/surface/bspline_surface.h
   knotwork/surface/model_surface.h
   knotwork/surface/surface_catalogue.h
   knotwork/surface/surface_jet.h
@@ -64,4 +72,5 @@ set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/curve/point_check.h
   knotwork/curve/row_block.h
   knotwork/curve/schoenberg_whitney.h
+  knotwork/surface/net.h
 )

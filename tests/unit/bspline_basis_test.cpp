@@ -6,25 +6,21 @@
 #include <random>
 #include <vector>
 
-#include "unit/oracle.h"
+#include "unit/bspline_cases.h"
 
 namespace knotwork::bspline_basis_test {
 using namespace test;
 
 TEST_CASE("B-splines and their derivatives meet oracle 01") {
-  const nlohmann::json oracle = load_oracle("01_bspline_clamped.json");
-  REQUIRE(oracle.contains("cases"));
   int compared = 0;
-  for (const nlohmann::json& entry : oracle["cases"]) {
-    const nlohmann::json& inputs = entry["inputs"];
-    const int p = inputs["degree"].get<int>();
-    const KnotVector knots = KnotVector::make(p, Topology::open, inputs["knots"].get<std::vector<double>>()).value();
-    for (const nlohmann::json& at : entry["points"]) {
+  for (const CurveOracle& oracle : curve_oracles(Topology::open)) {
+    const KnotVector& knots = oracle.curve.knots();
+    for (const nlohmann::json& at : oracle.points) {
       const double t = at["t"].get<double>();
       const int span = knots.span(t);
       CHECK(span == at["span"].get<int>());
       const nlohmann::json& rows = at["basis_derivatives"];
-      const std::size_t width = static_cast<std::size_t>(p) + 1;
+      const std::size_t width = static_cast<std::size_t>(knots.degree()) + 1;
       std::vector<double> basis(width * rows.size());
       bspline_basis(knots, span, t, static_cast<int>(rows.size()) - 1, basis);
       for (std::size_t k = 0; k < rows.size(); ++k) {

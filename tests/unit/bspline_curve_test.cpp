@@ -8,17 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "unit/oracle.h"
+#include "unit/bspline_cases.h"
 
 namespace knotwork::bspline_curve_test {
 using namespace test;
 namespace {
-
-std::vector<Eigen::Vector3d> vectors(const nlohmann::json& list) {
-  std::vector<Eigen::Vector3d> out;
-  for (const nlohmann::json& item : list) out.push_back(vector3(item));
-  return out;
-}
 
 /// Every point of an oracle's case; the number of vectors compared.
 int compare(const BSplineCurve& curve, const nlohmann::json& points) {
@@ -39,79 +33,53 @@ int compare(const BSplineCurve& curve, const nlohmann::json& points) {
   return compared;
 }
 
-/// A curve with random points; inner knots drawn from few places, so that many are repeated.
-BSplineCurve random_curve(int degree, int count, Topology topology, std::mt19937& random) {
-  std::uniform_real_distribution<double> coordinate(-5, 5);
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-  if (topology == Topology::closed)
-    return BSplineCurve::make(KnotVector::uniform(degree, count, topology, 2, 2 + count).value(), std::move(points))
-        .value();
-  std::uniform_int_distribution<int> place(1, 4);
-  for (;;) {
-    std::vector<double> inner;
-    inner.reserve(static_cast<std::size_t>(count - degree - 1));
-    for (int i = 0; i < count - degree - 1; ++i) inner.push_back(place(random) + (place(random) == 1 ? 0.5 : 0));
-    std::sort(inner.begin(), inner.end());
-    std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
-    knots.insert(knots.end(), inner.begin(), inner.end());
-    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, 6.0);
-    const Result<KnotVector> vector = KnotVector::make(degree, topology, std::move(knots));
-    if (vector) return BSplineCurve::make(vector.value(), std::move(points)).value();
-  }
-}
-
 }  // namespace
 
 TEST_CASE("open B-spline curves meet oracle 01") {
-  const nlohmann::json oracle = load_oracle("01_bspline_clamped.json");
-  REQUIRE(oracle.contains("cases"));
   int compared = 0;
-  for (const nlohmann::json& entry : oracle["cases"]) {
-    const nlohmann::json& inputs = entry["inputs"];
-    const KnotVector knots =
-        KnotVector::make(inputs["degree"].get<int>(), Topology::open, inputs["knots"].get<std::vector<double>>())
-            .value();
-    const std::string name = entry["name"].get<std::string>();
-    CAPTURE(name);
-    compared += compare(BSplineCurve::make(knots, vectors(inputs["control_points"])).value(), entry["points"]);
+  for (const CurveOracle& oracle : curve_oracles(Topology::open)) {
+    CAPTURE(oracle.name);
+    compared += compare(oracle.curve, oracle.points);
   }
   CHECK(compared > 400);
 }
 
 TEST_CASE("closed B-spline curves meet oracle 02") {
-  const nlohmann::json oracle = load_oracle("02_bspline_periodic.json");
-  REQUIRE(oracle.contains("cases"));
-  int compared = 0;
-  for (const nlohmann::json& entry : oracle["cases"]) {
-    const nlohmann::json& inputs = entry["inputs"];
-    if (!inputs.contains("distinct_control_points")) continue;
-    const std::string name = entry["name"].get<std::string>();
-    CAPTURE(name);
-    const int degree = inputs["degree"].get<int>();
-    std::vector<double> knots = inputs["knots"].get<std::vector<double>>();
-    const KnotVector closed = KnotVector::make(degree, Topology::closed, std::move(knots)).value();
-    const BSplineCurve curve = BSplineCurve::make(closed, vectors(inputs["distinct_control_points"])).value();
+  int compared = 0, met = 0;
+  for (const CurveOracle& oracle : curve_oracles(Topology::closed)) {
+    CAPTURE(oracle.name);
+    const KnotVector& closed = oracle.curve.knots();
+    const std::size_t degree = static_cast<std::size_t>(closed.degree());
     nlohmann::json inside = nlohmann::json::array();
-    for (const nlohmann::json& at : entry["points"]) {
-      if (at["t"].get<double>() < closed.end()) inside.push_back(at);
+    for (nlohmann::json at : oracle.points) {
+      // At the end of the period the oracle looks back: what is the same from both sides is compared.
+      nlohmann::json& derivatives = at["derivatives"];
+      if (at["t"].get<double>() >= closed.end() && derivatives.size() > degree) derivatives.erase(degree);
+      inside.push_back(at);
     }
-    compared += compare(curve, inside);
+    compared += compare(oracle.curve, inside);
     // The seam: position and p-1 derivatives go on as at every other knot.
-    std::vector<Eigen::Vector3d> start(static_cast<std::size_t>(degree)), end(start.size());
-    curve.evaluate(closed.start(), start);
-    curve.evaluate(std::nextafter(closed.end(), 0), end);
-    for (std::size_t k = 0; k < start.size(); ++k) CHECK(close(end[k], start[k], 1e-12, 30));
+    std::vector<Eigen::Vector3d> start(degree), end(degree);
+    oracle.curve.evaluate(closed.start(), start);
+    oracle.curve.evaluate(std::nextafter(closed.end(), 0), end);
+    for (std::size_t k = 0; k < start.size(); ++k) CHECK(close(end[k], start[k], 1e-12, 60));
+    // The oracle's own interpolation conditions.
+    if (!oracle.inputs.contains("parameters")) continue;
+    const std::vector<Eigen::Vector3d> through = vectors(oracle.inputs["points"]);
+    for (std::size_t j = 0; j < through.size(); ++j, ++met) {
+      CHECK(close(oracle.curve(oracle.inputs["parameters"][j].get<double>()), through[j], oracle_tolerance,
+                  polygon_size(oracle.curve)));
+    }
   }
-  CHECK(compared > 200);
+  CHECK(compared > 450);
+  CHECK(met == 21);
 }
 
 TEST_CASE("the triangle of matrix factors ends in the curve's point") {
   std::mt19937 random(7);
-  for (const Topology topology : {Topology::open, Topology::closed}) {
+  for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::closed}) {
     for (int degree = 1; degree <= 9; ++degree) {
-      const BSplineCurve curve = random_curve(degree, degree + 4, topology, random);
+      const BSplineCurve curve = random_curve(degree, degree + 4, ends, random);
       for (int step = 0; step <= 30; ++step) {
         const double t = std::lerp(curve.knots().start(), curve.knots().end(), step / 30.0);
         const PointTriangle triangle = curve.de_boor(t);
@@ -124,11 +92,11 @@ TEST_CASE("the triangle of matrix factors ends in the curve's point") {
 
 TEST_CASE("inserting a knot keeps the curve, open and closed, at knots, between them and at the seam") {
   std::mt19937 random(8);
-  for (const Topology topology : {Topology::open, Topology::closed}) {
+  for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::closed}) {
     for (int degree = 1; degree <= 9; ++degree) {
       for (const int count : {std::max(2, degree), degree + 1, degree + 5}) {
-        if (topology == Topology::open && count <= degree) continue;
-        const BSplineCurve curve = random_curve(degree, count, topology, random);
+        if (ends != Ends::closed && count <= degree) continue;
+        const BSplineCurve curve = random_curve(degree, count, ends, random);
         const double start = curve.knots().start(), length = curve.knots().period();
         for (const double share : {0.0, 0.013, 0.5, 0.83, 0.999}) {
           const double t = start + share * length;
@@ -149,9 +117,49 @@ TEST_CASE("inserting a knot keeps the curve, open and closed, at knots, between 
   }
 }
 
+TEST_CASE(
+    "the blossom is affine, it is the curve and its derivatives on the diagonal, and control points are its values") {
+  std::mt19937 random(12);
+  for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::closed}) {
+    for (int degree = 1; degree <= 9; ++degree) {
+      const BSplineCurve curve = random_curve(degree, degree + 4, ends, random);
+      const KnotVector& knots = curve.knots();
+      const std::size_t p = static_cast<std::size_t>(degree);
+      for (int span = degree; span <= knots.last_span(); ++span) {
+        if (!(knots[span] < knots[span + 1])) continue;
+        for (int i = span - degree; i <= span; ++i) {
+          const std::span<const double> at = knots.knots().subspan(static_cast<std::size_t>(i) + 1, p);
+          CHECK(curve.blossom(span, at) == curve.point(i));
+        }
+        const double from = knots[span], to = knots[span + 1];
+        const double t = std::lerp(from, to, 0.4);
+        CHECK(close(curve.blossom(span, std::vector<double>(p, t)), curve(t), 1e-13, polygon_size(curve)));
+        // f(.., x, ..) with x between two arguments; neither need be a knot.
+        std::vector<double> low, middle, high;
+        for (std::size_t k = 0; k < p; ++k)
+          low.push_back(std::lerp(from, to, 0.3 * static_cast<double>(k + 1) / degree));
+        middle = high = low;
+        middle.back() = std::lerp(from, to, 0.6);
+        high.back() = to;
+        const double share = (middle.back() - low.back()) / (high.back() - low.back());
+        const Eigen::Vector3d mixed = (1 - share) * curve.blossom(span, low) + share * curve.blossom(span, high);
+        CHECK(close(curve.blossom(span, middle), mixed, 1e-13, polygon_size(curve)));
+        // Fewer arguments: derivatives.
+        std::vector<Eigen::Vector3d> derivatives(p + 1);
+        curve.evaluate(t, derivatives);
+        for (std::size_t k = 0; k <= p; ++k) {
+          CHECK(close(curve.blossom(span, std::vector<double>(p - k, t)), derivatives[k], 1e-13,
+                      derivative_size(curve, t, static_cast<int>(k))));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("a knot inserted p times brings a control point onto the curve") {
   std::mt19937 random(9);
-  BSplineCurve curve = random_curve(3, 9, Topology::closed, random);
+  BSplineCurve curve =
+      BSplineCurve::make(KnotVector::uniform(3, 9, Topology::closed, 2, 11).value(), random_points(9, random)).value();
   const Eigen::Vector3d there = curve(5.25);
   for (int times = 0; times < 3; ++times) curve = curve.with_knot(5.25).value();
   double least = 1e9;
@@ -164,9 +172,9 @@ TEST_CASE("a knot inserted p times brings a control point onto the curve") {
 
 TEST_CASE("the Bezier pieces are the curve, interval by interval, with all its derivatives") {
   std::mt19937 random(11);
-  for (const Topology topology : {Topology::open, Topology::closed}) {
+  for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::closed}) {
     for (int degree = 1; degree <= 9; ++degree) {
-      const BSplineCurve curve = random_curve(degree, degree + 5, topology, random);
+      const BSplineCurve curve = random_curve(degree, degree + 5, ends, random);
       const std::vector<BezierCurve> pieces = curve.bezier_pieces();
       REQUIRE_FALSE(pieces.empty());
       CHECK(pieces.front().start() == curve.knots().start());
@@ -232,7 +240,7 @@ TEST_CASE("a straight line on the Greville abscissae is a straight line") {
 
 TEST_CASE("a batch is the single evaluations, sorted or not") {
   std::mt19937 random(10);
-  const BSplineCurve curve = random_curve(4, 12, Topology::open, random);
+  const BSplineCurve curve = random_curve(4, 12, Ends::clamped, random);
   std::vector<double> t;
   std::uniform_real_distribution<double> place(-1, 7);
   t.reserve(60);

@@ -2,12 +2,15 @@
 set(KNOTWORK_GEOMETRY_TESTS
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
+  unit/bezier_surface_test.cpp
   unit/blending_curve_test.cpp
   unit/blending_function_test.cpp
   unit/blending_surface_test.cpp
   unit/blending_tables_test.cpp
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
+  unit/bspline_refinement_test.cpp
+  unit/bspline_surface_test.cpp
   unit/catalogue_measure_test.cpp
   unit/curve_catalogue_test.cpp
   unit/knot_vector_test.cpp
@@ -18,6 +21,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/parameterization_test.cpp
   unit/result_test.cpp
   unit/schoenberg_whitney_test.cpp
+  unit/spline_pieces_test.cpp
   unit/surface_catalogue_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp

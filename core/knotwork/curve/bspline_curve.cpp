@@ -96,6 +96,44 @@ PointTriangle BSplineCurve::de_boor(double t) const {
   });
 }
 
+Eigen::Vector3d BSplineCurve::blossom(int span, std::span<const double> arguments) const {
+  const int derivative = degree() - static_cast<int>(arguments.size());
+  assert(derivative >= 0 && knots_[span] < knots_[span + 1]);
+  // Arguments that are the knots next to the span, going outwards, need no work: they are t_{left+1} .. t_{right-1}.
+  std::array<double, KnotVector::max_degree> others{};
+  int count = 0, left = span, right = span + 1;
+  const auto take = [&](double argument, int& place, int step) {
+    if (argument == knots_[place]) {
+      place += step;
+    } else {
+      others[static_cast<std::size_t>(count++)] = argument;
+    }
+  };
+  const auto middle = std::lower_bound(arguments.begin(), arguments.end(), knots_[right]);
+  for (auto a = middle; a != arguments.begin(); --a) take(*(a - 1), left, -1);
+  for (auto a = middle; a != arguments.end(); ++a) take(*a, right, 1);
+
+  // De Boor's rounds for the others only: each replaces one of them, x, by the next knot on the left and on the right.
+  // Before them the rounds of differences, over the widest intervals.
+  const int rounds = count + derivative;
+  std::array<Eigen::Vector3d, KnotVector::max_degree + 1> row;
+  for (int k = 0; k <= rounds; ++k) row[static_cast<std::size_t>(k)] = point(left - k);
+  for (int round = rounds; round > 0; --round) {
+    for (int k = 0; k < round; ++k) {
+      const double from = knots_[left - k], to = knots_[right + round - 1 - k];
+      Eigen::Vector3d& here = row[static_cast<std::size_t>(k)];
+      const Eigen::Vector3d& other = row[static_cast<std::size_t>(k) + 1];
+      if (round > count) {
+        here = (degree() - rounds + round) * (here - other) / (to - from);
+      } else {
+        const double x = others[static_cast<std::size_t>(round - 1)];
+        here = ((to - x) * other + (x - from) * here) / (to - from);
+      }
+    }
+  }
+  return row[0];
+}
+
 std::vector<double> BSplineCurve::greville_abscissae() const {
   std::vector<double> abscissae;
   for (int i = 0; i < knots_.count(); ++i) {
@@ -145,18 +183,18 @@ Result<BSplineCurve> BSplineCurve::with_knot(double t) const {
 
 std::vector<BezierCurve> BSplineCurve::bezier_pieces() const {
   const int p = degree();
-  BSplineCurve refined = *this;
-  for (int i = p; i <= knots_.last_span() + 1; ++i) {
-    const double knot = knots_[i];
-    if (knots_.closed() && knot == knots_.end()) continue;  // the start again
-    while (refined.knots_.multiplicity(knot) < p) refined = refined.with_knot(knot).value();
-  }
   std::vector<BezierCurve> pieces;
-  for (int i = p; i <= refined.knots_.last_span(); ++i) {
-    const double from = refined.knots_[i], to = refined.knots_[i + 1];
+  std::vector<double> arguments(static_cast<std::size_t>(p));
+  for (int i = p; i <= knots_.last_span(); ++i) {
+    const double from = knots_[i], to = knots_[i + 1];
     if (!(from < to)) continue;
-    std::vector<Eigen::Vector3d> points;
-    for (int j = i - p; j <= i; ++j) points.push_back(refined.point(j));
+    std::fill(arguments.begin(), arguments.end(), from);
+    std::vector<Eigen::Vector3d> points{pieces.empty() ? blossom(i, arguments) : pieces.back().points().back()};
+    for (std::size_t k = arguments.size(); k > 0; --k) {
+      arguments[k - 1] = to;
+      const bool seam = k == 1 && knots_.closed() && to == knots_.end() && !pieces.empty();
+      points.push_back(seam ? pieces.front().points().front() : blossom(i, arguments));
+    }
     pieces.push_back(BezierCurve::make(std::move(points), from, to).value());
   }
   return pieces;

@@ -12,8 +12,8 @@
 
 namespace knotwork {
 
-/// A B-spline curve of degree p with n control points in model units: c(t) = sum_i c_i b_{i,p}(t). Open or closed as its
-/// knot vector is; closed, the points go round: c_{i+n} = c_i. A parameter outside is brought into the domain, by
+/// A B-spline curve of degree p with n control points in model units: c(t) = sum_i c_i b_{i,p}(t). Open or closed as
+/// its knot vector is; closed, the points go round: c_{i+n} = c_i. A parameter outside is brought into the domain, by
 /// clamping (open) or by the period (closed). At a knot, derivatives are those of the interval on its right; at the end
 /// of an open curve, of the interval on its left. Valid once constructed. Source: THEORY 2.1, 2.2.
 class BSplineCurve {
@@ -40,6 +40,13 @@ class BSplineCurve {
   /// the triangle is T_{p-k} times row k. This is de Boor's construction at t.
   PointTriangle de_boor(double t) const;
 
+  /// The blossom (polar form) f(a_1, .., a_p) of the polynomial on a span: symmetric, affine in each argument, and
+  /// f(t, .., t) = c(t) there. Control points are blossoms, c_i = f(t_{i+1}, .., t_{i+p}), so that every change of the
+  /// knots asks for f only: O(p^2), and by convex combinations alone where the arguments hold all knots between them.
+  /// Of fewer arguments, p-r, it is the blossom of the r-th derivative. `arguments` do not decrease. `span`: one that is
+  /// not empty, p to knots().last_span(). Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
+  Eigen::Vector3d blossom(int span, std::span<const double> arguments) const;
+
   /// The Greville abscissae (t_{i+1} + .. + t_{i+p}) / p, i = 0..n-1: where control point i has its greatest say.
   std::vector<double> greville_abscissae() const;
 
@@ -47,8 +54,8 @@ class BSplineCurve {
   /// Error path: `t`, when it is not in the domain or its knot already has the multiplicity p (p+1 at an open end).
   Result<BSplineCurve> with_knot(double t) const;
 
-  /// The polynomial pieces, one for each knot interval that is not empty, each over its interval: every knot inserted
-  /// until its multiplicity is p (Bezier extraction).
+  /// The polynomial pieces, one for each knot interval that is not empty, each over its interval (Bezier extraction):
+  /// the points of the piece over [a, b] are f(a, .., a, b, .., b). Neighbours share their common point.
   std::vector<BezierCurve> bezier_pieces() const;
 
  private:
