@@ -46,11 +46,13 @@ SplinePieces::SplinePieces(const BSplineCurve& curve) : knots_(curve.knots()) {
   for (std::size_t b = 1; b < breaks_before_.size(); ++b) breaks_before_[b] += breaks_before_[b - 1];
 }
 
-/// Does not decrease with t: breaks in buckets before t's lie before t, those in buckets behind it behind t. Rounded to
-/// the nearest, so that equidistant breaks lie in the middle of their buckets, and not at the ends by chance.
+/// Does not decrease with t: breaks in buckets before t's lie before t, those in buckets behind it behind t. The first
+/// bucket is half as wide as the others, so that equidistant breaks lie in the middle of theirs, and not at the ends by
+/// chance.
 std::size_t SplinePieces::bucket_of(double t) const {
+  constexpr double half_a_bucket = 0.5;
   const double share = (t - knots_.start()) / knots_.period();
-  return static_cast<std::size_t>(share * static_cast<double>(piece_count()) + 0.5);
+  return static_cast<std::size_t>(share * static_cast<double>(piece_count()) + half_a_bucket);
 }
 
 std::size_t SplinePieces::piece_at(double t) const {
