@@ -309,6 +309,19 @@ TEST_CASE("a weight is worth so many equal points") {
   });
 }
 
+TEST_CASE("only the ratios of weights count") {
+  for_each_problem(13, [](const Problem& problem, std::mt19937&) {
+    const bool ends = !problem.knots.closed();
+    const LeastSquaresFit plain = fit(problem, {.interpolate_ends = ends});
+    for (const double weight : {1e-40, 1e40}) {
+      const std::vector<double> weights(problem.points.size(), weight);
+      const LeastSquaresFit weighted = fit(problem, {.interpolate_ends = ends, .weights = weights});
+      check_same(control_points(weighted), control_points(plain), condition(matrix(problem.knots, problem.parameters)));
+      CHECK(close(weighted.rms, plain.rms, 1e-12));
+    }
+  });
+}
+
 TEST_CASE("a closed curve has no seam: data that start elsewhere turn the control points") {
   std::mt19937 random(10);
   for (int degree = 1; degree <= 9; ++degree) {
