@@ -35,6 +35,12 @@ Eigen::Vector3d random_point(std::mt19937& random) {
   return {x, y, z};
 }
 
+std::vector<Eigen::Vector3d> random_points(int count, std::mt19937& random) {
+  std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(count));
+  for (Eigen::Vector3d& point : points) point = random_point(random);
+  return points;
+}
+
 KnotVector random_knots(int degree, int count, Topology topology, std::mt19937& random) {
   std::uniform_real_distribution<double> width(0.3, 1.0);
   const int intervals = topology == Topology::closed ? count : count - degree;
@@ -64,7 +70,7 @@ Problem random_problem(int degree, int count, Topology topology, std::mt19937& r
   }
   if (topology == Topology::open) problem.parameters.push_back(knots.end());
   std::shuffle(problem.parameters.begin(), problem.parameters.end(), random);
-  for (std::size_t j = 0; j < problem.parameters.size(); ++j) problem.points.push_back(random_point(random));
+  problem.points = random_points(static_cast<int>(problem.parameters.size()), random);
   return problem;
 }
 
@@ -157,8 +163,7 @@ void check_same(const Matrix& actual, const Matrix& expected, double condition_n
 
 TEST_CASE("a spline on whose curve the data lie is found again") {
   for_each_problem(1, [](Problem problem, std::mt19937& random) {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < problem.knots.count(); ++i) points.push_back(random_point(random));
+    const std::vector<Eigen::Vector3d> points = random_points(problem.knots.count(), random);
     const BSplineCurve curve = BSplineCurve::make(problem.knots, points).value();
     for (std::size_t j = 0; j < problem.points.size(); ++j) problem.points[j] = curve(problem.parameters[j]);
     const LeastSquaresFit result = fit(problem);
@@ -304,6 +309,19 @@ TEST_CASE("a weight is worth so many equal points") {
   });
 }
 
+TEST_CASE("only the ratios of weights count") {
+  for_each_problem(13, [](const Problem& problem, std::mt19937&) {
+    const bool ends = !problem.knots.closed();
+    const LeastSquaresFit plain = fit(problem, {.interpolate_ends = ends});
+    for (const double weight : {1e-40, 1e40}) {
+      const std::vector<double> weights(problem.points.size(), weight);
+      const LeastSquaresFit weighted = fit(problem, {.interpolate_ends = ends, .weights = weights});
+      check_same(control_points(weighted), control_points(plain), condition(matrix(problem.knots, problem.parameters)));
+      CHECK(close(weighted.rms, plain.rms, 1e-12));
+    }
+  });
+}
+
 TEST_CASE("a closed curve has no seam: data that start elsewhere turn the control points") {
   std::mt19937 random(10);
   for (int degree = 1; degree <= 9; ++degree) {
@@ -332,8 +350,7 @@ TEST_CASE("data in bad places: no digits are lost that normal equations lose") {
   const KnotVector knots = KnotVector::uniform(9, 10, Topology::open, 0, 3).value();
   std::mt19937 random(11);
   Problem problem{knots, {}, {}};
-  std::vector<Eigen::Vector3d> truth;
-  for (int i = 0; i < 10; ++i) truth.push_back(random_point(random));
+  const std::vector<Eigen::Vector3d> truth = random_points(10, random);
   const BSplineCurve curve = BSplineCurve::make(knots, truth).value();
   for (int j = 0; j <= 90; ++j) {
     problem.parameters.push_back(1 + j / 90.0);
@@ -392,8 +409,8 @@ TEST_CASE("curves through points on averaged knots exist and pass them, open and
   for (const Topology topology : {Topology::open, Topology::closed}) {
     for (int degree = 1; degree <= 5; ++degree) {
       for (const int count : {8, 11, 40}) {
-        std::vector<Eigen::Vector3d> points;
-        for (int j = 0; j < count; ++j) points.emplace_back(j, random_point(random).y(), random_point(random).z());
+        std::vector<Eigen::Vector3d> points = random_points(count, random);
+        for (int j = 0; j < count; ++j) points[static_cast<std::size_t>(j)].x() = j;
         for (const double exponent : {0.0, 0.5, 1.0}) {
           const std::vector<double> parameters = parameterize(points, exponent, topology, 0, 1).value();
           const KnotVector knots = averaged_knots(degree, count, topology, parameters, 1).value();

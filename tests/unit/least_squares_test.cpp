@@ -146,8 +146,8 @@ TEST_CASE("closed curves through points meet oracle 02") {
   CHECK(compared == 3);
 }
 
-TEST_CASE("more control points are not always better: the spaces of splines on uniform knots are not nested") {
-  // THEORY, R5, the other way round: on the report's circle the error does fall from 6 to 8 control points.
+TEST_CASE("the report's experiment, closed as it ought to be: 20 points on a circle, 6 and 8 control points") {
+  // From the points alone: parameters, then knots, then the fit. The numbers are oracle 03's.
   std::vector<Eigen::Vector3d> points;
   for (int j = 0; j < 20; ++j) {
     const double angle = 2 * 3.14159265358979323846 * j / 20;
@@ -158,8 +158,8 @@ TEST_CASE("more control points are not always better: the spaces of splines on u
     const KnotVector knots = averaged_knots(3, count, Topology::closed, parameters, 1).value();
     return fit_least_squares(knots, points, parameters).value().rms;
   };
-  CHECK(close(rms(6), 0.008276639456982048, 1e-9));
-  CHECK(close(rms(8), 0.002226905293844486, 1e-9));
+  CHECK(close(rms(6), 0.008276639456982048, oracle_tolerance, 5e-3));
+  CHECK(close(rms(8), 0.002226905293844486, oracle_tolerance, 5e-3));
 }
 
 TEST_CASE("fewer points than control points: refused with a way out, or smoothed") {

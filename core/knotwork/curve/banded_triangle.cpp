@@ -9,13 +9,13 @@ namespace knotwork {
 namespace {
 
 /// Numbers below this are zero: their squares would be subnormal, and solutions that divide by them overflow.
-constexpr double negligible = 1e-130;
+constexpr double negligible_number = 1e-130;
 /// A solution of such a size has no meaning; stopping here keeps back substitution from overflowing.
 constexpr double largest_solution = 1e100;
 /// A pivot smaller than this, relative to its column's norm, is rounding error.
 constexpr double least_pivot = 1e-13;
 
-double dot(std::span<const double> a, std::span<const double> b) {
+double dot_product(std::span<const double> a, std::span<const double> b) {
   RowBlock::Lanes sums = RowBlock::Lanes::Zero();
   for (std::size_t i = 0; i < a.size(); i += RowBlock::lanes)
     sums += RowBlock::at(a.data() + i) * RowBlock::at(b.data() + i);
@@ -28,8 +28,8 @@ class Reflection {
  public:
   /// Sets the pivot to beta. False, and nothing done, when there is nothing to take to 0.
   bool make(double& pivot, std::span<const double> v) {
-    const double square = dot(v, v);
-    if (!(square > negligible * negligible)) return false;
+    const double square = dot_product(v, v);
+    if (!(square > negligible_number * negligible_number)) return false;
     const double norm = std::sqrt(pivot * pivot + square);
     beta_ = pivot > 0 ? -norm : norm;
     top_ = pivot - beta_;
@@ -39,7 +39,7 @@ class Reflection {
   }
   /// To another column (entry, c).
   void apply(double& entry, std::span<double> c) const {
-    const double factor = (entry + dot(v_, c) / top_) / beta_;
+    const double factor = (entry + dot_product(v_, c) / top_) / beta_;
     entry += factor * top_;
     for (std::size_t i = 0; i < c.size(); i += RowBlock::lanes)
       RowBlock::at(c.data() + i) += factor * RowBlock::at(v_.data() + i);
@@ -51,7 +51,7 @@ class Reflection {
 };
 
 /// Works rows into the top `width` rows of a triangle, stored as BandedTriangle stores it.
-void work_in(double* triangle, std::size_t width, RowBlock& rows) {
+void work_rows_in(double* triangle, std::size_t width, RowBlock& rows) {
   constexpr std::size_t sides = BandedTriangle::right_hand_sides;
   assert(rows.columns() == width + sides);
   for (std::size_t k = 0; k < width; ++k, triangle += width + sides) {
@@ -83,7 +83,7 @@ void BandedTriangle::add(std::size_t first, RowBlock& rows) {
   if (closed_ && first + width_ > columns_) {
     add_to_seam(first, rows);
   } else {
-    work_in(row(first), width_, rows);
+    work_rows_in(row(first), width_, rows);
   }
 }
 
@@ -106,7 +106,7 @@ void BandedTriangle::add_to_seam(std::size_t first, RowBlock& rows) {
   // With fewer columns than `width` one of them comes twice, and counts twice.
   for (std::size_t c = 0; c < width_; ++c) add(c, seam_column((first + c) % columns_));
   for (std::size_t c = 0; c < right_hand_sides; ++c) add(width_ + c, seam_columns + c);
-  work_in(seam_.data(), seam_columns, spread);
+  work_rows_in(seam_.data(), seam_columns, spread);
 }
 
 void BandedTriangle::sweep_seam() {
@@ -158,7 +158,7 @@ std::optional<std::size_t> BandedTriangle::solve(std::span<Eigen::Vector3d> x) {
   }
   // Every pivot before any of the substitution: the first column that depends on others is the one to name.
   for (std::size_t k = 0; k < columns_; ++k) {
-    if (!(std::abs(row(k)[0]) > std::max(negligible, least_pivot * std::sqrt(square[k])))) return k;
+    if (!(std::abs(row(k)[0]) > std::max(negligible_number, least_pivot * std::sqrt(square[k])))) return k;
   }
   for (std::size_t k = columns_; k-- > 0;) {
     Eigen::Vector3d sum = Eigen::Map<const Eigen::Vector3d>(right_hand_side(k));

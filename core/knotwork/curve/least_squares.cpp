@@ -11,26 +11,25 @@
 
 #include "knotwork/basis/bspline_basis.h"
 #include "knotwork/curve/banded_triangle.h"
-#include "knotwork/curve/point_check.h"
 #include "knotwork/curve/row_block.h"
 #include "knotwork/curve/schoenberg_whitney.h"
 
 namespace knotwork {
 namespace {
 
-using Points = std::span<const Eigen::Vector3d>;
+using DataPoints = std::span<const Eigen::Vector3d>;
 
 /// So many data go into the triangle at once: enough to make what is done once for all of them cheap, few enough to
 /// stay in the first-level cache.
-constexpr std::size_t most_rows = 128;
+constexpr std::size_t most_rows_at_once = 128;
 
-std::string element(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]"; }
+std::string element_path(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]"; }
 
 /// The comparison that is quiet about a NaN, and false.
 bool small_enough(double x) { return std::islessequal(std::abs(x), LeastSquaresOptions::largest_number); }
 
-Status check_input(const KnotVector& knots, Points points, std::span<const double> parameters,
-                   const LeastSquaresOptions& options) {
+Status check_fit_input(const KnotVector& knots, DataPoints points, std::span<const double> parameters,
+                       const LeastSquaresOptions& options) {
   if (points.size() != parameters.size()) {
     return Error{"points", "There are " + std::to_string(points.size()) + " points for " +
                                std::to_string(parameters.size()) + " parameters."};
@@ -39,13 +38,14 @@ Status check_input(const KnotVector& knots, Points points, std::span<const doubl
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const double coordinate : points[i]) {
       if (!small_enough(coordinate))
-        return Error{element("points", i), "A point must have finite coordinates of reasonable size."};
+        return Error{element_path("points", i), "A point must have finite coordinates of reasonable size."};
     }
   }
   for (std::size_t j = 0; j < parameters.size(); ++j) {
-    if (!std::isfinite(parameters[j])) return Error{element("parameters", j), "A parameter must be a finite number."};
+    if (!std::isfinite(parameters[j]))
+      return Error{element_path("parameters", j), "A parameter must be a finite number."};
     if (!knots.closed() && (parameters[j] < knots.start() || parameters[j] > knots.end()))
-      return Error{element("parameters", j), "A parameter must lie in the domain of the knots."};
+      return Error{element_path("parameters", j), "A parameter must lie in the domain of the knots."};
   }
   if (!options.weights.empty() && options.weights.size() != points.size()) {
     return Error{"weights", "There are " + std::to_string(options.weights.size()) + " weights for " +
@@ -53,7 +53,7 @@ Status check_input(const KnotVector& knots, Points points, std::span<const doubl
   }
   for (std::size_t j = 0; j < options.weights.size(); ++j) {
     if (!small_enough(options.weights[j]) || options.weights[j] < 0)
-      return Error{element("weights", j), "A weight must be a number of reasonable size, 0 or greater."};
+      return Error{element_path("weights", j), "A weight must be a number of reasonable size, 0 or greater."};
   }
   if (!small_enough(options.smoothing) || options.smoothing < 0)
     return Error{"smoothing", "The smoothing must be a number of reasonable size, 0 or greater."};
@@ -68,7 +68,7 @@ Status check_input(const KnotVector& knots, Points points, std::span<const doubl
 /// The data, span by span.
 class DataBySpan {
  public:
-  DataBySpan(const KnotVector& knots, Points points, std::span<const double> parameters,
+  DataBySpan(const KnotVector& knots, DataPoints points, std::span<const double> parameters,
              std::span<const double> weights)
       : knots_(knots), points_(points), parameters_(parameters), weights_(weights) {
     const std::size_t spans = static_cast<std::size_t>(knots.interval_count());
@@ -130,7 +130,7 @@ class DataBySpan {
   }
 
   const KnotVector& knots_;
-  Points points_;
+  DataPoints points_;
   std::span<const double> parameters_, weights_;
   std::vector<std::size_t> begin_;
   std::vector<std::uint32_t> order_;  ///< empty when the data come in the order of their spans
@@ -138,19 +138,19 @@ class DataBySpan {
   std::size_t total_ = 0;
 };
 
-/// visit(s, first, size) for the data span by span, no more than most_rows at a time.
+/// visit(s, first, size) for the data span by span, no more than most_rows_at_once at a time.
 template <class Visit>
 void for_each_chunk(const DataBySpan& data, std::size_t s, Visit visit) {
-  for (std::size_t first = data.begin(s); first < data.begin(s + 1); first += most_rows)
-    visit(first, std::min(most_rows, data.begin(s + 1) - first));
+  for (std::size_t first = data.begin(s); first < data.begin(s + 1); first += most_rows_at_once)
+    visit(first, std::min(most_rows_at_once, data.begin(s + 1) - first));
 }
 
 /// The rows of A and of the data at the places first .. first + size - 1, all of span p + s, without their weights.
 /// Columns between the basis functions and the data, if there are any, are zero.
-void fill(const DataBySpan& data, std::size_t s, std::size_t first, std::size_t size, RowBlock& rows) {
+void fill_rows(const DataBySpan& data, std::size_t s, std::size_t first, std::size_t size, RowBlock& rows) {
   const std::size_t functions = static_cast<std::size_t>(data.knots().degree()) + 1;
   rows.resize(size);
-  std::array<double, most_rows> t;
+  std::array<double, most_rows_at_once> t;
   const std::span<double> x = rows.column(rows.columns() - 3), y = rows.column(rows.columns() - 2),
                           z = rows.column(rows.columns() - 1);
   for (std::size_t i = 0; i < size; ++i) {
@@ -169,8 +169,8 @@ void fill(const DataBySpan& data, std::size_t s, std::size_t first, std::size_t 
   for (std::size_t k = functions; k + 3 < rows.columns(); ++k) std::fill_n(rows.column(k).data(), rows.rows(), 0.0);
 }
 
-void weigh(const DataBySpan& data, std::size_t first, std::size_t size, RowBlock& rows) {
-  std::array<double, most_rows> root;
+void weigh_rows(const DataBySpan& data, std::size_t first, std::size_t size, RowBlock& rows) {
+  std::array<double, most_rows_at_once> root;
   for (std::size_t i = 0; i < size; ++i) root[i] = std::sqrt(data.weight(data[first + i]));
   for (std::size_t k = 0; k < rows.columns(); ++k) {
     const std::span<double> column = rows.column(k);
@@ -201,7 +201,8 @@ void take_over(RowBlock& rows, std::size_t k, const Eigen::Vector3d& value) {
 }
 
 /// The control points; or the one that is not determined.
-Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points, const LeastSquaresOptions& options) {
+Result<std::vector<Eigen::Vector3d>> solve_control_points(const DataBySpan& data, DataPoints points,
+                                                          const LeastSquaresOptions& options) {
   const KnotVector& knots = data.knots();
   const std::size_t n = static_cast<std::size_t>(knots.count()), p = static_cast<std::size_t>(knots.degree());
   const bool smooth = options.smoothing > 0;
@@ -210,7 +211,7 @@ Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points
   const std::size_t spans = static_cast<std::size_t>(knots.interval_count());
 
   BandedTriangle triangle(n, width, knots.topology());
-  RowBlock rows(width + BandedTriangle::right_hand_sides, most_rows);
+  RowBlock rows(width + BandedTriangle::right_hand_sides, most_rows_at_once);
   const auto add = [&](std::size_t first) {
     if (options.interpolate_ends) {
       if (first == 0) take_over(rows, 0, points.front());
@@ -225,8 +226,8 @@ Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points
     }
     if (first >= spans) continue;
     for_each_chunk(data, first, [&](std::size_t place, std::size_t size) {
-      fill(data, first, place, size, rows);
-      if (data.weighted()) weigh(data, place, size, rows);
+      fill_rows(data, first, place, size, rows);
+      if (data.weighted()) weigh_rows(data, place, size, rows);
       add(first);
     });
   }
@@ -244,7 +245,7 @@ Result<std::vector<Eigen::Vector3d>> solve(const DataBySpan& data, Points points
 }
 
 /// The distances of the points in `rows`, filled, from the curve, on whose span p + s they lie.
-void distances(const BSplineCurve& curve, std::size_t s, RowBlock& rows, std::span<double> out) {
+void distances_from(const BSplineCurve& curve, std::size_t s, RowBlock& rows, std::span<double> out) {
   const std::size_t functions = static_cast<std::size_t>(curve.degree()) + 1;
   std::array<Eigen::Vector3d, KnotVector::max_degree + 1> local;
   for (std::size_t k = 0; k < functions; ++k) local[k] = curve.point(static_cast<int>(s + k));
@@ -260,16 +261,16 @@ void distances(const BSplineCurve& curve, std::size_t s, RowBlock& rows, std::sp
   }
 }
 
-LeastSquaresFit measure(const DataBySpan& data, BSplineCurve curve, std::size_t size) {
+LeastSquaresFit measure_fit(const DataBySpan& data, BSplineCurve curve, std::size_t size) {
   const KnotVector& knots = data.knots();
   LeastSquaresFit fit{std::move(curve), 0, 0, std::vector<double>(size)};
-  RowBlock rows(static_cast<std::size_t>(knots.degree()) + 4, most_rows);
-  std::array<double, most_rows> distance;
+  RowBlock rows(static_cast<std::size_t>(knots.degree()) + 4, most_rows_at_once);
+  std::array<double, most_rows_at_once> distance;
   double squares = 0, weights = 0;
   for (std::size_t s = 0; s < static_cast<std::size_t>(knots.interval_count()); ++s) {
     for_each_chunk(data, s, [&](std::size_t first, std::size_t here) {
-      fill(data, s, first, here, rows);
-      distances(fit.curve, s, rows, distance);
+      fill_rows(data, s, first, here, rows);
+      distances_from(fit.curve, s, rows, distance);
       double maximum = fit.maximum, square = 0, weight = 0;
       for (std::size_t i = 0; i < here; ++i) {
         const std::size_t j = data[first + i];
@@ -289,9 +290,9 @@ LeastSquaresFit measure(const DataBySpan& data, BSplineCurve curve, std::size_t 
 
 }  // namespace
 
-Result<LeastSquaresFit> fit_least_squares(const KnotVector& knots, Points points, std::span<const double> parameters,
-                                          const LeastSquaresOptions& options) {
-  if (Status status = check_input(knots, points, parameters, options); !status) return status.error();
+Result<LeastSquaresFit> fit_least_squares(const KnotVector& knots, DataPoints points,
+                                          std::span<const double> parameters, const LeastSquaresOptions& options) {
+  if (Status status = check_fit_input(knots, points, parameters, options); !status) return status.error();
   const DataBySpan data(knots, points, parameters, options.weights);
   const int first = options.interpolate_ends ? 1 : 0, last = knots.count() - 1 - first;
   if (options.smoothing == 0) {
@@ -302,11 +303,11 @@ Result<LeastSquaresFit> fit_least_squares(const KnotVector& knots, Points points
     }
     if (Status status = check_schoenberg_whitney(knots, data.count(), first, last); !status) return status.error();
   }
-  Result<std::vector<Eigen::Vector3d>> control_points = solve(data, points, options);
+  Result<std::vector<Eigen::Vector3d>> control_points = solve_control_points(data, points, options);
   if (!control_points) return control_points.error();
   Result<BSplineCurve> curve = BSplineCurve::make(knots, std::move(control_points).value());
   if (!curve) return curve.error();
-  return measure(data, std::move(curve).value(), points.size());
+  return measure_fit(data, std::move(curve).value(), points.size());
 }
 
 }  // namespace knotwork
