@@ -5,12 +5,21 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/bspline_basis.cpp
   knotwork/basis/expo_rational_table.cpp
   knotwork/basis/knot_vector.cpp
+  knotwork/curve/arc_length.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/bspline_curve.cpp
+  knotwork/curve/closest_point.cpp
+  knotwork/curve/curve_measures.cpp
+  knotwork/curve/interval_minimum.cpp
+  knotwork/curve/moving_frame.cpp
+  knotwork/curve/parametric_curve.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/surface/blending_surface.cpp
+  knotwork/surface/closest_surface_point.cpp
   knotwork/surface/model_surface.cpp
+  knotwork/surface/parametric_surface.cpp
+  knotwork/surface/surface_area.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
 )
@@ -20,14 +29,22 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/blending_function.h
   knotwork/basis/bspline_basis.h
   knotwork/basis/knot_vector.h
+  knotwork/curve/arc_length.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/bspline_curve.h
+  knotwork/curve/closest_point.h
+  knotwork/curve/curve_measures.h
+  knotwork/curve/moving_frame.h
+  knotwork/curve/parametric_curve.h
   knotwork/curve/point_triangle.h
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
   knotwork/surface/blending_surface.h
+  knotwork/surface/closest_surface_point.h
   knotwork/surface/model_surface.h
+  knotwork/surface/parametric_surface.h
+  knotwork/surface/surface_area.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
   knotwork/surface/taylor2.h
@@ -35,5 +52,8 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/basis/gauss_legendre.h
+  knotwork/curve/interval_minimum.h
   knotwork/curve/point_check.h
+  knotwork/curve/vector_length.h
 )

@@ -1,5 +1,6 @@
 # Paths relative to tests/. unit/main.cpp holds the one main() and is not listed.
 set(KNOTWORK_GEOMETRY_TESTS
+  unit/arc_length_test.cpp
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
   unit/blending_function_test.cpp
@@ -7,15 +8,21 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/blending_tables_test.cpp
   unit/bspline_basis_test.cpp
   unit/bspline_curve_test.cpp
+  unit/closest_point_test.cpp
+  unit/closest_surface_point_test.cpp
+  unit/curve_measures_test.cpp
   unit/knot_vector_test.cpp
   unit/model_surface_test.cpp
+  unit/moving_frame_test.cpp
   unit/oracle_test.cpp
   unit/result_test.cpp
+  unit/surface_area_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
+  property/closest_point_laws_test.cpp
   property/model_surface_laws_test.cpp
   property/surface_sampling_laws_test.cpp
 )
