@@ -58,6 +58,8 @@ struct DistanceJet {
   Eigen::Matrix2d hessian, metric;  ///< the metric is the Hessian for a point on the surface
 };
 
+double determinant_of(const Eigen::Matrix2d& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }
+
 struct Place {
   double u, v;
   DistanceJet jet;
@@ -165,9 +167,9 @@ class SurfaceSearch {
       return m;
     };
     h = rested(h);
-    newton = h(0, 0) > 0 && h.determinant() > 1e-12 * h(0, 0) * scale;
+    newton = h(0, 0) > 0 && determinant_of(h) > 1e-12 * h(0, 0) * scale;
     if (!newton) h = rested(metric) + 1e-3 * scale * Eigen::Matrix2d::Identity();
-    const double determinant = h.determinant();
+    const double determinant = determinant_of(h);
     if (!(determinant > 0)) return Eigen::Vector2d::Zero();  // the surface is a point here
     return {-(h(1, 1) * gradient[0] - h(0, 1) * gradient[1]) / determinant * unit[0],
             -(h(0, 0) * gradient[1] - h(1, 0) * gradient[0]) / determinant * unit[1]};
