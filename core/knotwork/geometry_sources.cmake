@@ -7,16 +7,22 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/basis/knot_vector.cpp
   knotwork/basis/local_blend.cpp
   knotwork/catalogue_measure.cpp
+  knotwork/curve/arc_length.cpp
   knotwork/curve/banded_triangle.cpp
   knotwork/curve/bezier_curve.cpp
   knotwork/curve/blending_curve.cpp
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/bspline_refinement.cpp
+  knotwork/curve/closest_point.cpp
   knotwork/curve/curve_catalogue.cpp
+  knotwork/curve/curve_measures.cpp
+  knotwork/curve/interval_minimum.cpp
   knotwork/curve/lane_riesenfeld.cpp
   knotwork/curve/least_squares.cpp
   knotwork/curve/model_curve.cpp
+  knotwork/curve/moving_frame.cpp
   knotwork/curve/parameterization.cpp
+  knotwork/curve/parametric_curve.cpp
   knotwork/curve/schoenberg_whitney.cpp
   knotwork/curve/spline_pieces.cpp
   knotwork/curve/taylor3.cpp
@@ -25,7 +31,10 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/surface/bezier_surface.cpp
   knotwork/surface/blending_surface.cpp
   knotwork/surface/bspline_surface.cpp
+  knotwork/surface/closest_surface_point.cpp
   knotwork/surface/model_surface.cpp
+  knotwork/surface/parametric_surface.cpp
+  knotwork/surface/surface_area.cpp
   knotwork/surface/surface_catalogue.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
@@ -37,15 +46,20 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/interval.h
   knotwork/basis/knot_vector.h
   knotwork/catalogue_measure.h
+  knotwork/curve/arc_length.h
   knotwork/curve/bezier_curve.h
   knotwork/curve/blending_curve.h
   knotwork/curve/bspline_curve.h
   knotwork/curve/bspline_refinement.h
+  knotwork/curve/closest_point.h
   knotwork/curve/curve_catalogue.h
+  knotwork/curve/curve_measures.h
   knotwork/curve/lane_riesenfeld.h
   knotwork/curve/least_squares.h
   knotwork/curve/model_curve.h
+  knotwork/curve/moving_frame.h
   knotwork/curve/parameterization.h
+  knotwork/curve/parametric_curve.h
   knotwork/curve/point_triangle.h
   knotwork/curve/spline_pieces.h
   knotwork/curve/taylor3.h
@@ -56,7 +70,10 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/surface/bezier_surface.h
   knotwork/surface/blending_surface.h
   knotwork/surface/bspline_surface.h
+  knotwork/surface/closest_surface_point.h
   knotwork/surface/model_surface.h
+  knotwork/surface/parametric_surface.h
+  knotwork/surface/surface_area.h
   knotwork/surface/surface_catalogue.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
@@ -66,11 +83,14 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/basis/gauss_legendre.h
   knotwork/basis/integer_power.h
   knotwork/basis/local_blend.h
   knotwork/curve/banded_triangle.h
+  knotwork/curve/interval_minimum.h
   knotwork/curve/point_check.h
   knotwork/curve/row_block.h
   knotwork/curve/schoenberg_whitney.h
+  knotwork/curve/vector_length.h
   knotwork/surface/net.h
 )

@@ -1,5 +1,6 @@
 # Paths relative to tests/. unit/main.cpp holds the one main() and is not listed.
 set(KNOTWORK_GEOMETRY_TESTS
+  unit/arc_length_test.cpp
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
   unit/bezier_surface_test.cpp
@@ -12,16 +13,21 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/bspline_refinement_test.cpp
   unit/bspline_surface_test.cpp
   unit/catalogue_measure_test.cpp
+  unit/closest_point_test.cpp
+  unit/closest_surface_point_test.cpp
   unit/curve_catalogue_test.cpp
+  unit/curve_measures_test.cpp
   unit/knot_vector_test.cpp
   unit/lane_riesenfeld_test.cpp
   unit/least_squares_test.cpp
   unit/model_surface_test.cpp
+  unit/moving_frame_test.cpp
   unit/oracle_test.cpp
   unit/parameterization_test.cpp
   unit/result_test.cpp
   unit/schoenberg_whitney_test.cpp
   unit/spline_pieces_test.cpp
+  unit/surface_area_test.cpp
   unit/surface_catalogue_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
@@ -30,6 +36,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   property/blending_curve_laws_test.cpp
   property/blending_function_laws_test.cpp
   property/blending_surface_laws_test.cpp
+  property/closest_point_laws_test.cpp
   property/curve_catalogue_laws_test.cpp
   property/least_squares_laws_test.cpp
   property/model_surface_laws_test.cpp

@@ -22,4 +22,13 @@ inline Status check_points(std::span<const Eigen::Vector3d> points) {
   return success();
 }
 
+/// Whether distances from a point can be squared: finite coordinates up to 1e100. Error path: `point`.
+inline Status check_distant_point(const Eigen::Vector3d& point) {
+  for (const double coordinate : point) {
+    if (!std::isfinite(coordinate) || std::abs(coordinate) > 1e100)
+      return Error{"point", "A point must have finite coordinates of reasonable size."};
+  }
+  return success();
+}
+
 }  // namespace knotwork

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "knotwork/curve/curve_measures.h"
+
 namespace knotwork {
 namespace {
 
@@ -79,6 +81,28 @@ SurfaceCurvature curvature(const SurfaceJet& jet) {
   result.k_max = result.mean + root;
   result.k_min = result.mean - root;
   return result;
+}
+
+FundamentalForms fundamental_forms(const SurfaceJet& jet) {
+  const Eigen::Vector3d n = unit_normal(jet);
+  return {jet.su.dot(jet.su), jet.su.dot(jet.sv), jet.sv.dot(jet.sv), n.dot(jet.suu), n.dot(jet.suv), n.dot(jet.svv)};
+}
+
+PrincipalDirections principal_directions(const SurfaceJet& jet) {
+  const Eigen::Vector3d n = unit_normal(jet);
+  const UnitJet j = unit_jet(jet);
+  const Eigen::Vector3d along = unit_across(n, j.su), across = n.cross(along);
+  if (!j.regular) return {along, across, false};
+  // The second form in the orthonormal basis of S_u and N x S_u, (a b; b c). Its axes stand at half the angle of
+  // (a-c, 2b).
+  const double cosine = j.su.dot(j.sv), sine = j.su.cross(j.sv).norm();
+  const double a = n.dot(j.suu), f = n.dot(j.suv), g = n.dot(j.svv);
+  const double b = (f - cosine * a) / sine, c = (g - 2 * cosine * f + cosine * cosine * a) / (sine * sine);
+  const double rounding = least_sine * (j.suu.norm() + j.suv.norm() + j.svv.norm()) / (sine * sine);
+  const bool umbilic = std::abs(b) <= rounding && std::abs(a - c) <= rounding;
+  const double angle = umbilic ? 0 : std::atan2(2 * b, a - c) / 2;
+  const Eigen::Vector3d max = std::cos(angle) * along + std::sin(angle) * across;
+  return {max, n.cross(max), true};
 }
 
 }  // namespace knotwork
