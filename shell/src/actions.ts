@@ -31,6 +31,12 @@ export function run(action: Action, bridge: Bridge): void {
   }
 }
 
+/// Whether what is on the stage has the parameters that the action is about.
+export function applies(action: Action, parameters: ReadonlyMap<string, Parameter>): boolean {
+  if (action.kind === 'open') return true;
+  return action.kind === 'set' ? action.values.every(([id]) => parameters.has(id)) : parameters.has('animation.playing');
+}
+
 /// Whether the action has nothing left to do.
 export function fulfilled(action: Action, parameters: ReadonlyMap<string, Parameter>): boolean {
   if (action.kind === 'set') return action.values.every(([id, value]) => parameters.get(id)?.value === value);

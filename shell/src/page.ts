@@ -1,4 +1,4 @@
-import { fulfilled, parseAction, run, type Action } from './actions';
+import { applies, fulfilled, parseAction, run, type Action } from './actions';
 import type { Bridge } from './bridge';
 import { element, makeControl, type Control, type Setter } from './controls';
 import { HistoryControls } from './history';
@@ -27,7 +27,7 @@ export class Page {
       gesture: (open) => this.attempt(() => bridge.gesture(open)),
     };
 
-    const rows = new Map(bridge.parameters().map((row) => [row.id, row]));
+    const rows = this.rows();
     this.makeSettings(rows);
     for (const place of document.querySelectorAll<HTMLElement>('[data-parameter]')) {
       const row = rows.get(place.dataset['parameter']!);
@@ -36,7 +36,14 @@ export class Page {
     }
     for (const phrase of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
       const action = parseAction(phrase.dataset['run']!);
-      phrase.addEventListener('click', () => this.attemptAsOne(() => run(action, bridge)));
+      const chapter = phrase.closest('article')?.id;
+      phrase.addEventListener('click', () =>
+        this.attemptAsOne(() => {
+          // What the chapter is about may have made room for another figure.
+          if (chapter && !applies(action, this.rows())) bridge.open(chapter);
+          run(action, bridge);
+        }),
+      );
       phrase.disabled = false;
       this.phrases.push([phrase, action]);
     }
@@ -75,7 +82,7 @@ export class Page {
   update(): void {
     this.revision = this.bridge.revision();
     const state = this.bridge.state();
-    const rows = new Map(this.bridge.parameters().map((row) => [row.id, row]));
+    const rows = this.rows();
     for (const control of this.controls) {
       const row = rows.get(control.id);
       if (row) control.update(row);
@@ -87,6 +94,10 @@ export class Page {
     this.history.update(state);
     if (state.notice !== this.lastNotice) this.announce(state.notice);
     this.lastNotice = state.notice;
+  }
+
+  private rows(): Map<string, Parameter> {
+    return new Map(this.bridge.parameters().map((row) => [row.id, row]));
   }
 
   private announce(text: string): void {

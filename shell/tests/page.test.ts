@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { fulfilled, parseAction, run } from '../src/actions';
+import { applies, fulfilled, parseAction, run } from '../src/actions';
 import { exportMessage } from '../src/api';
 import { Bridge, RefusedError, unwrap, type EmscriptenModule } from '../src/bridge';
 import { decimalsOf, format } from '../src/controls';
@@ -84,6 +84,14 @@ test('an action calls the module, once for each value', () => {
   run(parseAction('pause'), bridge);
   assert.deepEqual(calls.map(([name]) => name), ['knotwork_set_choice', 'knotwork_set_choice', 'knotwork_play']);
   assert.deepEqual(calls[2]![2], [0]);
+});
+
+test('an action is about what has its parameters', () => {
+  const curve = new Map([['curve.degree', { value: 3 } as Parameter]]);
+  assert.equal(applies(parseAction('set?curve.degree=2'), curve), true);
+  assert.equal(applies(parseAction('set?curve.degree=2&topology.u=open'), curve), false);
+  assert.equal(applies(parseAction('play'), curve), false);
+  assert.equal(applies(parseAction('open?id=bezier-curve'), curve), true);
 });
 
 test('an action is fulfilled when nothing is left to do', () => {

@@ -126,6 +126,22 @@ pageTest("the Bezier curve's parameter is dragged along the curve, with its cons
   assert.ok(!(await call(page, 'widgets')).some(({ label }) => label.startsWith('knot')), 'its knots cannot be moved');
 });
 
+pageTest('phrases bring curves and the surface; a phrase about the surface brings it back first', { full: true }, async (page) => {
+  const surface = (await documentOf(page)).objects[0];
+  await page.getByRole('button', { name: 'a B-spline curve', exact: true }).click();
+  assert.equal((await curveOf(page)).kind, 'bsplineCurve');
+  const toggles = page.getByRole('group', { name: /topology u/i }).getByRole('radio');
+  assert.deepEqual(await toggles.evaluateAll((inputs) => inputs.map((input) => input.disabled || input.checked)), [true, true]);
+  await page.getByRole('button', { name: 'open the surface in v', exact: true }).click();
+  const opened = (await documentOf(page)).objects[0];
+  assert.deepEqual({ ...opened, topology: surface.topology }, surface);
+  assert.deepEqual(opened.topology, { u: 'closed', v: 'open' });
+  assert.equal(await toggles.first().isDisabled(), false);
+  // One deed, one step.
+  await call(page, 'undo');
+  assert.equal((await curveOf(page)).kind, 'bsplineCurve');
+});
+
 pageTest('curve, polygon and basis functions are drawn', { full: true, size: [1200, 800] }, async (page) => {
   await opened(page, 'bspline-curve');
   const all = { x: 0, y: 0, width: 1200, height: 800 };
