@@ -11,10 +11,12 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/closest_point_test.cpp
   unit/closest_surface_point_test.cpp
   unit/curve_measures_test.cpp
+  unit/interval_minimum_test.cpp
   unit/knot_vector_test.cpp
   unit/model_surface_test.cpp
   unit/moving_frame_test.cpp
   unit/oracle_test.cpp
+  unit/parametric_curve_test.cpp
   unit/result_test.cpp
   unit/surface_area_test.cpp
   unit/surface_measures_test.cpp

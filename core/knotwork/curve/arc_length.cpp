@@ -115,6 +115,7 @@ std::vector<double> ArcLength::equidistant(int count) const {
   assert(count >= 1);
   const int arcs = curve_.closed() ? count : count - 1;
   std::vector<double> parameters;
+  parameters.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     parameters.push_back(parameter_at(arcs > 0 ? length() * (static_cast<double>(k) / arcs) : 0));
   return parameters;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "knotwork/curve/parametric_curve.h"
@@ -67,9 +68,9 @@ struct Place {
 
 class SurfaceSearch {
  public:
-  SurfaceSearch(const SurfaceView& surface, const Eigen::Vector3d& point)
+  SurfaceSearch(const SurfaceView& surface, Eigen::Vector3d point)
       : surface_(surface),
-        point_(point),
+        point_(std::move(point)),
         u_(surface.domain.u, surface.domain.closure_u, surface.breaks_u, surface.detail),
         v_(surface.domain.v, surface.domain.closure_v, surface.breaks_v, surface.detail) {}
 
