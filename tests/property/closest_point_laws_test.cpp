@@ -90,9 +90,9 @@ TEST_CASE("a box contains its curve and touches it at all six sides") {
 TEST_CASE("the box of a cubic is that of the roots of its derivative") {
   std::mt19937 random(53);
   for (int k = 0; k < 500; ++k) {
-    std::vector<Eigen::Vector3d> p;
-    for (int i = 0; i < 4; ++i) p.push_back(random_point(random));
-    const BezierCurve cubic = BezierCurve::make(p).value();
+    std::array<Eigen::Vector3d, 4> p;
+    for (Eigen::Vector3d& point : p) point = random_point(random);
+    const BezierCurve cubic = BezierCurve::make({p.begin(), p.end()}).value();
     const Eigen::AlignedBox3d box = bounding_box(curve_view(cubic));
     Eigen::AlignedBox3d expected;
     expected.extend(p[0]), expected.extend(p[3]);

@@ -17,6 +17,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/closest_surface_point_test.cpp
   unit/curve_catalogue_test.cpp
   unit/curve_measures_test.cpp
+  unit/interval_minimum_test.cpp
   unit/knot_vector_test.cpp
   unit/lane_riesenfeld_test.cpp
   unit/least_squares_test.cpp
@@ -24,6 +25,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/moving_frame_test.cpp
   unit/oracle_test.cpp
   unit/parameterization_test.cpp
+  unit/parametric_curve_test.cpp
   unit/result_test.cpp
   unit/schoenberg_whitney_test.cpp
   unit/spline_pieces_test.cpp

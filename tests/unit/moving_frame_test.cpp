@@ -19,6 +19,7 @@ namespace {
 
 std::vector<double> steps(double from, double to, int count) {
   std::vector<double> t;
+  t.reserve(static_cast<std::size_t>(count) + 1);
   for (int k = 0; k < count; ++k) t.push_back(from + (to - from) * k / count);
   return t;
 }
