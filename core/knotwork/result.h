@@ -27,7 +27,8 @@ class [[nodiscard]] Result {
   /// Precondition: `has_value()`.
   const T& value() const& { return assert(has_value()), *std::get_if<0>(&state_); }
   T& value() & { return assert(has_value()), *std::get_if<0>(&state_); }
-  T&& value() && { return assert(has_value()), std::move(*std::get_if<0>(&state_)); }
+  /// By value: a reference into a temporary would not outlive the statement, as in `for (x : f().value())`.
+  T value() && { return assert(has_value()), std::move(*std::get_if<0>(&state_)); }
 
   /// Precondition: `!has_value()`.
   const Error& error() const { return assert(!has_value()), *std::get_if<1>(&state_); }

@@ -8,7 +8,10 @@ import { ReportTable } from './report';
 
 /// Everything beside the stage that shows the module's state or changes it.
 export class Page {
+  private readonly setter: Setter;
   private readonly controls: Control[] = [];
+  private settings: Control[] = [];
+  private settingsFor = '';
   private readonly phrases: [HTMLButtonElement, Action][] = [];
   private readonly tables: ReportTable[] = [];
   private readonly patchLists: PatchList[] = [];
@@ -22,16 +25,15 @@ export class Page {
 
   constructor(bridge: Bridge, canvas: HTMLCanvasElement) {
     this.bridge = bridge;
-    const setter: Setter = {
+    this.setter = {
       set: (id, value) => this.attempt(() => bridge.set(id, value)),
       gesture: (open) => this.attempt(() => bridge.gesture(open)),
     };
 
     const rows = this.rows();
-    this.makeSettings(rows);
     for (const place of document.querySelectorAll<HTMLElement>('[data-parameter]')) {
       const row = rows.get(place.dataset['parameter']!);
-      if (row) this.controls.push(makeControl(place, row, setter));
+      if (row) this.controls.push(makeControl(place, row, this.setter));
       else place.remove();
     }
     for (const phrase of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
@@ -83,7 +85,8 @@ export class Page {
     this.revision = this.bridge.revision();
     const state = this.bridge.state();
     const rows = this.rows();
-    for (const control of this.controls) {
+    this.makeSettings(rows);
+    for (const control of [...this.controls, ...this.settings]) {
       const row = rows.get(control.id);
       if (row) control.update(row);
       else control.rest();
@@ -126,17 +129,23 @@ export class Page {
     });
   }
 
-  /// Rows that no chapter shows, folded by group at the foot of the page.
+  /// Rows that no chapter shows, folded by group at the foot of the page; others for another figure.
   private makeSettings(rows: ReadonlyMap<string, Parameter>): void {
     const place = document.querySelector<HTMLElement>('[data-settings]');
-    if (!place) return;
-    const shown = new Set([...document.querySelectorAll<HTMLElement>('[data-parameter]')].map((e) => e.dataset['parameter']));
+    const ids = [...rows.keys()].join(' ');
+    if (!place || ids === this.settingsFor) return;
+    this.settingsFor = ids;
+    const shown = new Set(this.controls.map((control) => control.id));
+    const open = new Set([...place.querySelectorAll('details[open] > summary')].map((summary) => summary.textContent));
     const groups = new Map<string, HTMLElement>();
+    this.settings = [];
+    place.replaceChildren();
     for (const row of rows.values()) {
       if (shown.has(row.id)) continue;
       let group = groups.get(row.group);
       if (!group) {
         const details = element('details', '');
+        details.open = open.has(row.group);
         group = element('div', 'controls');
         details.append(element('summary', '', row.group), group);
         place.append(details);
@@ -145,6 +154,7 @@ export class Page {
       const control = element('div', 'control');
       control.dataset['parameter'] = row.id;
       group.append(control);
+      this.settings.push(makeControl(control, row, this.setter));
     }
   }
 }

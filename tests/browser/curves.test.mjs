@@ -130,6 +130,12 @@ pageTest('phrases bring curves and the surface; a phrase about the surface bring
   const surface = (await documentOf(page)).objects[0];
   await page.getByRole('button', { name: 'a B-spline curve', exact: true }).click();
   assert.equal((await curveOf(page)).kind, 'bsplineCurve');
+  // At the foot of the page are the curve's own settings now.
+  await page.locator('[data-settings] summary', { hasText: 'Curve' }).click();
+  await page.getByRole('slider', { name: 'degree' }).focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.equal((await curveOf(page)).degree, 2);
+  await call(page, 'undo');
   const toggles = page.getByRole('group', { name: /topology u/i }).getByRole('radio');
   assert.deepEqual(await toggles.evaluateAll((inputs) => inputs.map((input) => input.disabled || input.checked)), [true, true]);
   await page.getByRole('button', { name: 'open the surface in v', exact: true }).click();
