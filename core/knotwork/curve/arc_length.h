@@ -24,9 +24,9 @@ class ArcLength {
   /// The length up to t, not NaN. Before the start it is 0, behind the end the whole length.
   double at(double t) const;
 
-  /// The parameter t with at(t) = s, not NaN: by Newton's method, halving where it fails. |at(t) - s| <= 1e-12 length().
-  /// The start for s <= 0, the end for s >= length(); where the curve pauses, the first such parameter. A curve without
-  /// length yields its start.
+  /// The parameter t with at(t) = s, not NaN: by Newton's method, halving where it fails. |at(t) - s| <= 1e-12
+  /// length(). The start for s <= 0, the end for s >= length(); where the curve pauses, the first such parameter. A
+  /// curve without length yields its start.
   double parameter_at(double s) const;
 
   /// `count` parameters, increasing, at equal lengths from each other: open, from start to end; closed, from the start

@@ -19,9 +19,9 @@ struct ClosestPoint {
 /// with its start and not its end. Where a stretch of the curve is equally near, the start of the stretch, within the
 /// accuracy at which it is seen.
 ///
-/// The distance is accurate to 1e-14 of that size; the parameter to where rounding of c.c' leaves its sign, 1e-15 of the
-/// domain unless the point is near a centre of curvature. All minima are looked at, as interval_minimum.h says. Error
-/// path: `point`, when not finite or beyond 1e100.
+/// The distance is accurate to 1e-14 of that size; the parameter to where rounding of c.c' leaves its sign, 1e-15 of
+/// the domain unless the point is near a centre of curvature. All minima are looked at, as interval_minimum.h says.
+/// Error path: `point`, when not finite or beyond 1e100.
 Result<ClosestPoint> closest_point(const CurveView& curve, const Eigen::Vector3d& point);
 
 /// The smallest box along the axes that contains the curve, to 1e-13 of the size of its points; never smaller than the

@@ -12,10 +12,10 @@ namespace knotwork {
 class BezierCurve;
 class BSplineCurve;
 
-/// Any parametric curve c(t), t in [start, end], as the measures (arc length, closest point, box, moving frames) see it:
-/// a reference to the curve and a function that evaluates it. It owns nothing: the curve and its breaks must outlive it.
-/// Two pointers instead of a template or a base class, so that every measure is compiled once and curves need not know
-/// of each other. The curve is finite, and its coordinates lie below 1e100.
+/// Any parametric curve c(t), t in [start, end], as the measures (arc length, closest point, box, moving frames) see
+/// it: a reference to the curve and a function that evaluates it. It owns nothing: the curve and its breaks must
+/// outlive it. Two pointers instead of a template or a base class, so that every measure is compiled once and curves
+/// need not know of each other. The curve is finite, and its coordinates lie below 1e100.
 struct CurveView {
   const void* curve;
   /// out[k] = the k-th derivative of *curve at t, k = 0 .. out.size()-1 <= 3; start <= t <= end.

@@ -28,10 +28,10 @@ struct FundamentalForms {
 };
 FundamentalForms fundamental_forms(const SurfaceJet& jet);
 
-/// The unit tangents along which the surface bends most and least: k_max belongs to `max`, k_min to `min`, which is
-/// N x max. They are orthogonal, and their sign means nothing. At an umbilic, where all directions bend alike (k_max and
-/// k_min differ by less than 1e-12 of the terms they are made of), `max` is along S_u. At a degenerate point both are stand-ins across unit_normal(jet), `max` as near to S_u as
-/// can be, and `regular` is false.
+/// The unit tangents along which the surface bends most and least: k_max belongs to `max`, k_min to `min`, which is N
+/// x max. They are orthogonal, and their sign means nothing. At an umbilic, where all directions bend alike (k_max and
+/// k_min differ by less than 1e-12 of the terms they are made of), `max` is along S_u. At a degenerate point both are
+/// stand-ins across unit_normal(jet), `max` as near to S_u as can be, and `regular` is false.
 struct PrincipalDirections {
   Eigen::Vector3d max, min;
   bool regular = false;
