@@ -1,6 +1,7 @@
 #include "knotwork/result.h"
 
 #include <memory>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -30,6 +31,13 @@ TEST_CASE("a Result gives up a move-only value") {
   Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
   const std::unique_ptr<int> taken = std::move(result).value();
   CHECK(*taken == 5);
+}
+
+TEST_CASE("a temporary Result's value outlives the Result") {
+  const auto numbers = [] { return Result<std::vector<int>>(std::vector<int>(1000, 7)); };
+  int sum = 0;
+  for (const int x : numbers().value()) sum += x;  // a reference would dangle here, as the sanitizers tell
+  CHECK(sum == 7000);
 }
 
 TEST_CASE("a Result's value can be changed in place") {
