@@ -96,6 +96,7 @@ void add_curve(Picture& picture, const scene::CurveFigure& figure, const Interac
     add_band(picture, figure, held->first);
 
   std::vector<glm::vec3> hues;
+  hues.reserve(figure.curve.points().size());
   for (int i = 0; i < figure.curve.knots().count(); ++i) hues.push_back(oklab(point_hue(i, picture.theme.dark)));
   for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
     const Colour ink = display.patch_colours ? mixture(figure, k, hues) : picture.theme.ink;

@@ -82,6 +82,7 @@ inline Eigen::Vector3d random_point(std::mt19937& random, double size = 5) {
 /// A B-spline curve with random points and random knots, some of them repeated.
 inline BSplineCurve random_spline(int degree, int count, Topology topology, std::mt19937& random) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) points.push_back(random_point(random));
   if (topology == Topology::closed)
     return BSplineCurve::make(KnotVector::uniform(degree, count, topology, 0, count).value(), std::move(points))
@@ -89,6 +90,7 @@ inline BSplineCurve random_spline(int degree, int count, Topology topology, std:
   std::uniform_real_distribution<double> place(0, 6);
   for (;;) {
     std::vector<double> inner;
+    inner.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count - degree - 1; ++i)
       inner.push_back(degree > 1 && i % 3 == 2 ? inner.back() : place(random));
     std::sort(inner.begin(), inner.end());

@@ -27,7 +27,7 @@ Document blending_surface_start() {
 }
 
 /// A flat figure seen from above, y upwards.
-Document flat_start(std::string id, Shape shape, Eigen::Vector3d middle) {
+Document flat_start(std::string id, Shape shape, const Eigen::Vector3d& middle) {
   Document document;
   document.objects.push_back({std::move(id), std::string(shape_kinds()[shape.index()].label), std::move(shape)});
   document.camera.target = middle;

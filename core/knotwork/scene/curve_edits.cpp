@@ -127,7 +127,7 @@ Status take_points(BezierCurveObject& object, std::vector<Eigen::Vector3d> point
   return success();
 }
 
-Status take_points(BlendingSurfaceObject&, std::vector<Eigen::Vector3d>, int) {
+Status take_points(BlendingSurfaceObject&, const std::vector<Eigen::Vector3d>&, int) {
   return Error{"index", "A blending surface has no points of its own."};
 }
 
