@@ -23,13 +23,16 @@ void begin();
 
 async function begin(): Promise<void> {
   showProgress(0);
+  // What still arrives after one download has failed must not hide the message.
+  let waiting = true;
   try {
     const [module, fonts] = await Promise.all([
-      loadModule(canvas, () => stage?.request(), showProgress),
+      loadModule(canvas, () => stage?.request(), (share) => waiting && showProgress(share)),
       loadStageFonts(),
     ]);
     start(new Bridge(module), fonts);
   } catch (error) {
+    waiting = false;
     fail(error instanceof LoadError ? error.reason : 'failed', error);
   }
 }

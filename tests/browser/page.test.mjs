@@ -181,6 +181,31 @@ for (const [what, path] of [['module', /\.wasm$/], ['typeface', /\.ttf$/]])
     },
   );
 
+let letModuleCome;
+pageTest(
+  'what arrives after one download has failed does not hide the message',
+  {
+    wait: false,
+    expected: [/net::ERR_FAILED/],
+    before: async (page) => {
+      const later = new Promise((resolve) => (letModuleCome = resolve));
+      await page.route(/\.ttf$/, (route) => route.abort('failed'));
+      await page.route(/\.wasm$/, async (route) => {
+        await later;
+        await route.continue();
+      });
+    },
+  },
+  async (page) => {
+    const alert = await assertTrouble(page, /arrive|download|connection/i);
+    const arrived = page.waitForResponse(/\.wasm$/);
+    letModuleCome();
+    await (await arrived).finished();
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+    assert.equal(await alert.isVisible(), true);
+  },
+);
+
 pageTest(
   'a server that has lost the module is said too',
   {
