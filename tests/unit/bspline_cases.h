@@ -158,8 +158,10 @@ inline KnotVector random_knots(int degree, int count, Ends ends, std::mt19937& r
       knots[0] = 0;
       std::vector<double> around;
       const int shift = std::min(offset(random), static_cast<int>(std::count(knots.begin(), knots.end(), 0.0)) - 1);
-      for (int k = -degree + shift + count; k <= 2 * count + degree + shift; ++k)
-        around.push_back(knots[static_cast<std::size_t>(k % count)] + static_cast<double>(6 * (k / count - 1)));
+      for (int k = -degree + shift + count; k <= 2 * count + degree + shift; ++k) {
+        const int round = k / count - 1;
+        around.push_back(knots[static_cast<std::size_t>(k % count)] + 6.0 * round);
+      }
       knots = around;
     } else {
       double before = 0, behind = 6;
