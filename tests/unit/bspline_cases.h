@@ -159,8 +159,8 @@ inline KnotVector random_knots(int degree, int count, Ends ends, std::mt19937& r
       std::vector<double> around;
       const int shift = std::min(offset(random), static_cast<int>(std::count(knots.begin(), knots.end(), 0.0)) - 1);
       for (int k = -degree + shift + count; k <= 2 * count + degree + shift; ++k) {
-        const int round = k / count - 1;
-        around.push_back(knots[static_cast<std::size_t>(k % count)] + 6.0 * round);
+        const int turn = k / count - 1;
+        around.push_back(knots[static_cast<std::size_t>(k % count)] + 6.0 * turn);
       }
       knots = around;
     } else {
