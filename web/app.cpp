@@ -11,12 +11,15 @@
 #include <glm/geometric.hpp>
 
 #include "knotwork/mesh/blending_tables.h"
+#include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/chapters.h"
+#include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/palette.h"
-#include "knotwork/scene/picking.h"
+#include "knotwork/scene/point_text.h"
 #include "web/composition.h"
-#include "web/curve_ornaments.h"
-#include "web/stage_ornaments.h"
+#include "web/figure_picture.h"
+#include "web/model_ornaments.h"
+#include "web/net_ornaments.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -37,32 +40,14 @@ double milliseconds() {
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// Points of the surface on a coarse grid: enough to place its picture and its shadow.
-std::vector<glm::dvec3> outline(const BlendingSurface& surface) {
-  constexpr std::size_t steps = 20;
-  std::array<double, steps + 1> u{}, v{};
-  for (std::size_t k = 0; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / steps;
-    u[k] = std::lerp(surface.knots_u().start(), surface.knots_u().end(), share);
-    v[k] = std::lerp(surface.knots_v().start(), surface.knots_v().end(), share);
-  }
-  std::vector<SurfaceJet> jets(u.size() * v.size());
-  surface.evaluate_grid(u, v, jets);
-  std::vector<glm::dvec3> points;
-  points.reserve(jets.size());
-  for (const SurfaceJet& jet : jets) points.push_back(to_glm(jet.s));
-  return points;
-}
-
-/// Its control points and the curve itself, which without clamped ends may be elsewhere.
-std::vector<glm::dvec3> outline(const scene::CurveFigure& figure) {
-  std::vector<glm::dvec3> points;
-  for (const Eigen::Vector3d& point : figure.curve.points()) points.push_back(to_glm(point));
-  for (std::size_t k = 0; k < figure.samples.size(); k += 8) points.push_back(to_glm(figure.samples[k].point));
-  return points;
-}
-
 bool same(const scene::Roll& a, const scene::Roll& b) { return a.u == b.u && a.v == b.v; }
+
+/// Whether the tables that stand on the GPU serve both: they differ in edits only.
+bool same_static_part(const scene::BlendingSurfaceObject& a, const scene::BlendingSurfaceObject& b) {
+  return a.model == b.model && a.topology_u == b.topology_u && a.topology_v == b.topology_v &&
+         a.locals_u == b.locals_u && a.locals_v == b.locals_v && a.patches == b.patches && a.blending == b.blending &&
+         a.blending_parameter == b.blending_parameter && a.samples_u == b.samples_u && a.samples_v == b.samples_v;
+}
 
 }  // namespace
 
@@ -132,7 +117,17 @@ void App::changed() {
   if (interaction_.selected && !has_handle(shape, *interaction_.selected)) interaction_.selected.reset();
   if (interaction_.hovered && !has_handle(shape, *interaction_.hovered)) interaction_.hovered.reset();
   interaction_.insertion.reset();
-  if (shows_surface() != geometry_.surface.has_value()) interaction_.probe.reset();
+  if (shape.index() != geometry_.made_from.index()) interaction_.probe.reset();
+  const auto* model = std::get_if<scene::ModelSurfaceObject>(&shape);
+  const auto* last = std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from);
+  // Surfaces of the catalogue differ in size: another one is brought into view.
+  if (model && last && !(model->model == last->model)) recompose_ = recompose_ || camera_is_ours_;
+  const auto* net = std::get_if<scene::BSplineSurfaceObject>(&shape);
+  const auto* drawn = std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from);
+  if (net && drawn) {
+    if (net->u.topology != drawn->u.topology) roll_.other_u = drawn->u;
+    if (net->v.topology != drawn->v.topology) roll_.other_v = drawn->v;
+  }
   if (!shows_surface()) return;
 
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
@@ -170,6 +165,19 @@ Status App::load(scene::Document document) {
     snap();
     camera_is_ours_ = false;  // the document says where it stands
   }
+  return status;
+}
+
+Status App::take_points(std::string_view text) {
+  if (!scene::is_made_from_list(scene::stage_shape(document_))) return perform(scene::SetPoints{});
+  Result<std::vector<Eigen::Vector3d>> points = scene::parse_points(text);
+  if (!points) {
+    const Error& error = points.error();
+    say(error.path.empty() ? error.message : "In " + error.path + ": " + error.message);
+    return error;
+  }
+  Status status = perform(scene::SetPoints{std::move(points).value()});
+  if (status && framed_once_) frame_all();  // they may be anywhere
   return status;
 }
 
@@ -236,8 +244,9 @@ void App::select(std::optional<HandleIndex> handle) {
 void App::snap() {
   camera_transition_.reset();
   roll_.active = false;
+  if (!rolls(scene::stage_shape(document_))) return;
+  roll_.from = roll_.to = roll_.shown = roll_at_rest(scene::stage_shape(document_));
   if (!shows_surface()) return;
-  roll_.from = roll_.to = roll_.shown = scene::rest_roll(scene::blending_surface(document_));
   roll_.model = scene::model_kind(scene::blending_surface(document_).model);
 }
 
@@ -251,87 +260,142 @@ BlendingSurface App::surface_at_rest() const {
 
 // --- Geometry ------------------------------------------------------------------------------------------------------
 
-void App::update_curve() {
+void App::update_geometry() {
   const scene::Shape& shape = scene::stage_shape(document_);
-  if (geometry_.curve && shape == geometry_.curve_made_from) return;
   const double start = milliseconds();
-  geometry_.surface.reset();
-  geometry_.net.reset();
-  geometry_.curve.emplace(shape);
-  geometry_.curve_made_from = shape;
-  handles_.clear();
+  if (const auto* object = std::get_if<scene::BlendingSurfaceObject>(&shape)) {
+    update_surface(*object);
+  } else if (const auto* net = std::get_if<scene::BSplineSurfaceObject>(&shape)) {
+    update_net(*net);
+  } else {
+    const bool same_clock = !moves(shape) || document_.animation == geometry_.animation;
+    if (geometry_.figure && shape == geometry_.made_from && same_clock) return;
+    geometry_.tables_uploaded = geometry_.hues_uploaded = false;
+    floor_.half_size = 0;
+    update_figure(geometry_.figure, shape, document_.animation);
+    geometry_.made_from = shape;
+    geometry_.animation = document_.animation;
+    handles_.clear();
+  }
   evaluating_ms_ += milliseconds() - start;
 }
 
-void App::update_geometry() {
-  if (!shows_surface()) return update_curve();
-  geometry_.curve.reset();
-  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
-  const bool same_shape = geometry_.surface && same(roll_.shown, geometry_.roll) && same_static_part(object);
-  if (same_shape && object.edits == geometry_.object.edits && document_.animation == geometry_.animation) return;
-  const double start = milliseconds();
+void App::update_surface(const scene::BlendingSurfaceObject& object) {
+  auto* shown = geometry_.figure ? std::get_if<BlendingFigure>(&*geometry_.figure) : nullptr;
+  const auto* made_from = std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from);
+  const bool same_shape =
+      shown && made_from && same(roll_.shown, geometry_.roll) && same_static_part(object, *made_from);
+  if (same_shape && object.edits == made_from->edits && document_.animation == geometry_.animation) return;
   if (same_shape) {
-    scene::update_locals(*geometry_.surface, object, document_.animation, roll_.shown);
+    scene::update_locals(shown->surface, object, document_.animation, roll_.shown);
+    if (tables_follow_maps(shown->surface)) geometry_.tables_uploaded = false;
+    shown->net.reset();
   } else {
-    geometry_.surface = scene::build_surface(object, document_.animation, roll_.shown);
+    geometry_.figure = BlendingFigure{scene::build_surface(object, document_.animation, roll_.shown), {}};
     geometry_.roll = roll_.shown;
     geometry_.tables_uploaded = geometry_.hues_uploaded = false;
     floor_.half_size = 0;  // another shape needs another floor, even while it moves
   }
-  geometry_.object = object;
+  geometry_.made_from = object;
   geometry_.animation = document_.animation;
   geometry_.maps_uploaded = false;
-  geometry_.net.reset();
   handles_.clear();
-  evaluating_ms_ += milliseconds() - start;
 }
 
-/// Whether `object` needs the tables that stand on the GPU: it differs from what they were made from in edits only.
-bool App::same_static_part(const scene::BlendingSurfaceObject& object) const {
-  const scene::BlendingSurfaceObject& made = geometry_.object;
-  return object.model == made.model && object.topology_u == made.topology_u && object.topology_v == made.topology_v &&
-         object.locals_u == made.locals_u && object.locals_v == made.locals_v && object.blending == made.blending &&
-         object.blending_parameter == made.blending_parameter && object.samples_u == made.samples_u &&
-         object.samples_v == made.samples_v;
+void App::update_net(const scene::BSplineSurfaceObject& object) {
+  auto* shown = geometry_.figure ? std::get_if<NetSurfaceFigure>(&*geometry_.figure) : nullptr;
+  const auto* made_from = std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from);
+  const bool same_roll = shown && made_from && same(roll_.shown, geometry_.roll);
+  if (same_roll && object == *made_from) return;
+  // Colours are mixed by the basis functions, so that they ask for knots and grid alone.
+  const bool same_grid = same_roll && object.u == made_from->u && object.v == made_from->v &&
+                         object.samples_u == made_from->samples_u && object.samples_v == made_from->samples_v;
+  geometry_.figure = NetSurfaceFigure{scene::NetFigure(object, roll_.other_u, roll_.other_v, roll_.shown), {}};
+  geometry_.tables_uploaded = false;
+  if (!same_grid) {
+    geometry_.hues_uploaded = false;
+    floor_.half_size = 0;
+  }
+  geometry_.roll = roll_.shown;
+  geometry_.made_from = object;
+  handles_.clear();
 }
 
 void App::upload() {
-  if (!geometry_.surface) return;
   const double start = milliseconds();
-  const BlendingSurface& surface = *geometry_.surface;
-  const int n_u = surface.knots_u().count(), n_v = surface.knots_v().count();
+  if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
+    upload_blending(*blending, *std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from));
+  if (const auto* net = std::get_if<NetSurfaceFigure>(&*geometry_.figure))
+    upload_net(*net, *std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from));
+  if (const auto* model = std::get_if<ModelSurfaceFigure>(&*geometry_.figure))
+    upload_model(*model, *std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from));
+  evaluating_ms_ += milliseconds() - start;
+}
+
+void App::upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurfaceObject& object) {
+  const int most = roll_.active ? rolling_samples : scene::max_samples;
+  const int samples_u = std::min(object.samples_u, most), samples_v = std::min(object.samples_v, most);
+  if (!geometry_.tables_uploaded) {
+    renderer_.upload(surface_tables(knotted_surface(figure.shown.surface), samples_u, samples_v));
+    geometry_.tables_uploaded = true;
+  }
+  if (!geometry_.hues_uploaded) {
+    const VertexColours colours = vertex_colours(figure.shown, object, samples_u, samples_v, theme_.dark);
+    renderer_.upload_colours(colours.texels, colours.columns, colours.rows);
+    geometry_.hues_uploaded = true;
+  }
+}
+
+void App::upload_model(const ModelSurfaceFigure& figure, const scene::ModelSurfaceObject& object) {
+  if (!geometry_.tables_uploaded) {
+    renderer_.upload(surface_tables(knotted_surface(figure.shown), object.samples_u, object.samples_v));
+    geometry_.tables_uploaded = true;
+  }
+  if (geometry_.hues_uploaded) return;
+  const SampleGrid grid =
+      sample_grid(figure.shown.knots_u(), figure.shown.knots_v(), object.samples_u, object.samples_v, Seam::repeated);
+  const glm::vec3 hue = model_hue(theme_);
+  std::vector<float> texels;
+  for (std::size_t k = 0; k < grid.u.size() * grid.v.size(); ++k)
+    texels.insert(texels.end(), {hue.x, hue.y, hue.z, 0.0F});
+  renderer_.upload_colours(texels, static_cast<int>(grid.u.size()), static_cast<int>(grid.v.size()));
+  geometry_.hues_uploaded = true;
+}
+
+void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSurfaceObject& object) {
+  const BlendingSurface& surface = figure.surface;
+  const MapCounts counts = map_counts(surface);
   if (!geometry_.tables_uploaded) {
     const int most = roll_.active ? rolling_samples : scene::max_samples;
-    renderer_.upload(blending_tables(surface, std::min(geometry_.object.samples_u, most),
-                                     std::min(geometry_.object.samples_v, most)));
+    renderer_.upload(blending_tables(surface, std::min(object.samples_u, most), std::min(object.samples_v, most)));
     geometry_.tables_uploaded = true;
   }
   if (!geometry_.maps_uploaded) {
-    renderer_.upload_maps(map_table(surface), n_u, n_v);
+    renderer_.upload_maps(map_table(surface), counts.u, counts.v);
     geometry_.maps_uploaded = true;
   }
   if (!geometry_.hues_uploaded) {
     std::vector<Colour> hues;
-    hues.reserve(static_cast<std::size_t>(n_u) * static_cast<std::size_t>(n_v));
-    for (int i = 0; i < n_u; ++i) {
-      for (int j = 0; j < n_v; ++j) {  // the ghost past the last local, while rolling, is local 0 again
-        const scene::PatchIndex patch{i % geometry_.object.locals_u, j % geometry_.object.locals_v};
-        hues.push_back(scene::patch_hue(scene::patch_hue_index(geometry_.object, patch), theme_.dark));
+    hues.reserve(static_cast<std::size_t>(counts.u) * static_cast<std::size_t>(counts.v));
+    for (int i = 0; i < counts.u; ++i) {
+      for (int j = 0; j < counts.v; ++j) {  // the ghost past the last local, while rolling, is local 0 again
+        const auto [own_i, own_j] = surface.wrapped(i, j);
+        const scene::PatchIndex patch{own_i % object.locals_u, own_j % object.locals_v};
+        hues.push_back(scene::patch_hue(scene::patch_hue_index(object, patch), theme_.dark));
       }
     }
-    renderer_.upload_hues(hues, n_u, n_v);
+    renderer_.upload_hues(hues, counts.u, counts.v);
     geometry_.hues_uploaded = true;
   }
-  evaluating_ms_ += milliseconds() - start;
 }
 
 /// The floor lies a little under the lowest point; it does not bob with a playing animation or a held patch.
 void App::update_floor(double seconds) {
-  if (!geometry_.surface) return;
+  if (!surface_of(*geometry_.figure)) return;
   const bool steady = !document_.animation.playing && interaction_.drag == InteractionState::Drag::none;
   if (steady || floor_.half_size <= 0) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
-    for (const glm::dvec3& point : outline(*geometry_.surface)) {
+    for (const glm::dvec3& point : outline(*surface_of(*geometry_.figure))) {
       low = glm::min(low, point);
       high = glm::max(high, point);
     }
@@ -353,19 +417,7 @@ void App::update_floor(double seconds) {
 const std::vector<Handle>& App::handles() {
   update_geometry();  // a script may ask between a command and its frame
   const View now = view();
-  if (handles_.empty() && geometry_.curve) {
-    int index = 0;
-    for (const Eigen::Vector3d& point : geometry_.curve->curve.points())
-      handles_.push_back({{index++, 0}, to_glm(point), {}, false});
-    // Drawn and found after the points: where both are, a point is meant.
-    handles_.push_back({parameter_handle, to_glm(geometry_.curve->construction.back().front()), {}, false});
-  } else if (handles_.empty()) {
-    const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
-    handles_.reserve(static_cast<std::size_t>(object.locals_u) * static_cast<std::size_t>(object.locals_v));
-    for (int i = 0; i < object.locals_u; ++i)
-      for (int j = 0; j < object.locals_v; ++j)
-        handles_.push_back({{i, j}, to_glm(scene::patch_origin(*geometry_.surface, {i, j})), {}, false});
-  }
+  if (handles_.empty()) handles_ = handles_of(*geometry_.figure, geometry_.made_from);
   for (Handle& handle : handles_) handle.screen = now.project(handle.position);
   return handles_;
 }
@@ -373,8 +425,9 @@ const std::vector<Handle>& App::handles() {
 // --- Time ----------------------------------------------------------------------------------------------------------
 
 void App::advance_roll(double now) {
-  if (!shows_surface()) return;
-  const scene::Roll rest = scene::rest_roll(scene::blending_surface(document_));
+  const scene::Shape& shape = scene::stage_shape(document_);
+  if (!rolls(shape)) return;
+  const scene::Roll rest = roll_at_rest(shape);
   if (!same(rest, roll_.to)) {
     roll_.from = roll_.shown;
     roll_.to = rest;
@@ -382,7 +435,8 @@ void App::advance_roll(double now) {
     roll_.active = !reduced_motion_ && !same(roll_.from, rest);
     if (!roll_.active) roll_.shown = rest;
 
-    if (interaction_.drag == InteractionState::Drag::none) make_room_for(surface_at_rest());
+    if (interaction_.drag == InteractionState::Drag::none)
+      make_room_for(outline(make_figure(shape, document_.animation)));
   }
   if (!roll_.active) return;
   const double share = (now - roll_.start) / roll_ms;
@@ -421,10 +475,6 @@ void App::advance(double now) {
   if (!notice_.empty()) request_frames(1);
 }
 
-std::vector<glm::dvec3> App::outline_now() const {
-  return geometry_.surface ? outline(*geometry_.surface) : outline(*geometry_.curve);
-}
-
 /// The largest picture of the points that panel and clock leave room for, reached over `duration` milliseconds.
 void App::compose_for(const std::vector<glm::dvec3>& points, double duration) {
   std::vector<std::array<double, 4>> obstacles = panel_output_.regions;
@@ -448,10 +498,9 @@ void App::compose_for(const std::vector<glm::dvec3>& points, double duration) {
 
 /// Before the surface rolls into another shape. A reader's own view is kept as long as it holds that shape as well as it
 /// holds the present one.
-void App::make_room_for(const BlendingSurface& next) {
+void App::make_room_for(const std::vector<glm::dvec3>& next) {
   const View now = view();
-  const auto in_view = [&now](const BlendingSurface& surface) {
-    const std::vector<glm::dvec3> points = outline(surface);
+  const auto in_view = [&now](const std::vector<glm::dvec3>& points) {
     return std::all_of(points.begin(), points.end(), [&now](const glm::dvec3& point) {
       const std::optional<glm::dvec3> screen = now.project(point);
       return screen && screen->x >= 0 && screen->y >= 0 && screen->x <= now.viewport.width &&
@@ -459,14 +508,15 @@ void App::make_room_for(const BlendingSurface& next) {
     });
   };
   const bool ours = camera_is_ours_;
-  if (!ours && (in_view(next) || !geometry_.surface || !in_view(*geometry_.surface))) return;
-  compose_for(outline(next), roll_ms);
+  const bool shown = geometry_.figure && surface_of(*geometry_.figure);
+  if (!ours && (in_view(next) || !shown || !in_view(outline(*geometry_.figure)))) return;
+  compose_for(next, roll_ms);
   camera_is_ours_ = ours;
 }
 
 void App::frame_all() {
   update_geometry();
-  compose_for(outline_now(), camera_ms);
+  compose_for(outline(*geometry_.figure), camera_ms);
 }
 
 // --- Frame ---------------------------------------------------------------------------------------------------------
@@ -524,14 +574,13 @@ void App::run_interface(double seconds) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   panel_output_ = draw_panels(panel_state_, {.document = document_,
-                                             .surface = geometry_.surface ? &*geometry_.surface : nullptr,
-                                             .curve = geometry_.curve ? &*geometry_.curve : nullptr,
+                                             .figure = *geometry_.figure,
                                              .theme = theme_,
                                              .viewport = viewport_,
                                              .phone = viewport_.width < phone_width,
-                                             .probe = probe(),
-                                             .curve_t = curve_probe(),
+                                             .pointed = pointed(),
                                              .selected = interaction_.selected,
+                                             .drawing = interaction_.drawing,
                                              .can_undo = history_.can_undo(),
                                              .can_redo = history_.can_redo(),
                                              .reduced_motion = reduced_motion_,
@@ -544,9 +593,8 @@ void App::run_interface(double seconds) {
   if (panel_output_.end_gesture) history_.end_gesture();
   if (panel_output_.undo) undo();
   if (panel_output_.redo) redo();
-  if (panel_output_.reset_patches) (void)perform(scene::ResetPatches{});
-  if (panel_output_.add_point) apply_outcome(web::key(interaction_, stage(nowhere), {true, "Insert", {}}));
-  if (panel_output_.remove_point) apply_outcome(web::key(interaction_, stage(nowhere), {true, "Delete", {}}));
+  for (const std::string& name : panel_output_.keys)
+    apply_outcome(web::key(interaction_, stage(nowhere), {true, name, {}}));
   if (panel_output_.frame_all) frame_all();
   if (panel_output_.wants_frame) request_frames(2);
   if (panel_state_.drawer_open != drawer_was_open_ || panel_state_.show_more != fold_was_open_) {
@@ -562,7 +610,7 @@ void App::place_picture() {
   recompose_ = false;
   const scene::Camera camera = document_.camera;
   const bool ours = camera_is_ours_;
-  compose_for(outline_now(), framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
+  compose_for(outline(*geometry_.figure), framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
   framed_once_ = true;
   compose_at_once_ = false;
   if (ours) return;
@@ -587,19 +635,12 @@ Viewport App::free_viewport() const {
 View App::view() const { return make_view(document_.camera, free_viewport()); }
 
 std::vector<StageLabel> App::stage_labels() {
-  if (!geometry_.curve || !document_.display.handles) return {};
-  return point_labels(handles(), *geometry_.curve, view(), theme_);
+  if (!shows_names(*geometry_.figure, document_.display)) return {};
+  return labels_of(*geometry_.figure, handles(), view(), theme_);
 }
 
-std::optional<double> App::curve_probe() const {
-  return geometry_.curve && interaction_.probe ? std::optional(interaction_.probe->x) : std::nullopt;
-}
-
-std::optional<Probe> App::probe() const {
-  if (!interaction_.probe || !geometry_.surface || roll_.active) return std::nullopt;
-  const BlendingSurface& surface = *geometry_.surface;
-  return probe_at(surface, interaction_.probe->x, interaction_.probe->y);
-}
+/// Nothing while the sheet rolls: its parameters are not those of the surface that it becomes.
+std::optional<glm::dvec2> App::pointed() const { return roll_.active ? std::nullopt : interaction_.probe; }
 
 Picture App::picture() {
   Picture picture;
@@ -607,26 +648,8 @@ Picture App::picture() {
   picture.target = to_glm(document_.camera.target);
   picture.theme = theme_;
   picture.display = document_.display;
-  if (geometry_.curve) {
-    add_curve(picture, *geometry_.curve, interaction_);
-    if (document_.display.handles) add_points(picture, handles(), interaction_);
-    return picture;
-  }
-  const BlendingSurface& surface = *geometry_.surface;
-  const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
-  picture.surface = true;
   picture.floor = floor_;
-  picture.locals_u = surface.knots_u().count();
-  picture.locals_v = surface.knots_v().count();
-  picture.closed_u = surface.knots_u().closed();
-  picture.closed_v = surface.knots_v().closed();
-  picture.held = interaction_.selected;
-  if (document_.display.frames) add_patch_frames(picture, surface, object);
-  if (document_.display.normals) add_normals(picture, surface);
-  if (document_.display.handles) {
-    add_handles(picture, handles(), object, interaction_);
-    if (interaction_.selected && !roll_.active) add_gizmo(picture, surface, object, interaction_);
-  }
+  add_to_picture(picture, *geometry_.figure, {document_, interaction_, handles(), roll_.active});
   return picture;
 }
 
@@ -635,13 +658,8 @@ Picture App::picture() {
 Stage App::stage(glm::dvec2 position) {
   handles();
   stage_view_ = view();
-  Stage stage{document_,
-              geometry_.surface ? &*geometry_.surface : nullptr,
-              geometry_.curve ? &*geometry_.curve : nullptr,
-              geometry_.net,
-              stage_view_,
-              handles_};
-  if (!stage.surface) return stage;                                     // a curve hides nothing
+  Stage stage{document_, *geometry_.figure, geometry_.made_from, stage_view_, handles_};
+  if (!surface_of(stage.figure)) return stage;                          // a curve hides nothing
   if (interaction_.drag != InteractionState::Drag::none) return stage;  // nothing is looked for while a hand is busy
   for (Handle& handle : handles_) {
     if (!handle.screen || glm::distance(glm::dvec2(*handle.screen), position) > handle_neighbourhood) continue;

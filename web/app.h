@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "knotwork/scene/history.h"
+#include "knotwork/scene/later.h"
 #include "knotwork/scene/surface_builder.h"
 #include "web/interaction.h"
 #include "web/interface_style.h"
@@ -55,6 +56,8 @@ class App {
   Status perform(const scene::Command& command);
   Status load(scene::Document document);
   Status open_chapter(std::string_view id);
+  /// Points as text replace those on the stage; a refusal is shown as a notice too.
+  KNOTWORK_LATER Status take_points(std::string_view text);
   /// Commands between an opened and a closed gesture are one step of the history.
   void gesture(bool open);
   bool undo();
@@ -63,6 +66,7 @@ class App {
 
   const scene::Document& document() const { return document_; }
   const scene::History& history() const { return history_; }
+  /// Whether it is the blending surface that stands on the stage.
   bool shows_surface() const;
   /// The surface that the document means, without the rolling between two topologies. Precondition: shows_surface().
   BlendingSurface surface_at_rest() const;
@@ -81,6 +85,7 @@ class App {
   struct RollTransition {
     scene::Roll from{1, 1}, to{1, 1}, shown{1, 1};
     scene::ModelKind model = scene::ModelKind::sheet;  ///< one model does not roll into another
+    scene::SplineDirection other_u, other_v;           ///< of a net, in the topology that it came from
     double start = 0;
     bool active = false;
   };
@@ -90,24 +95,24 @@ class App {
     Insets insets_from, insets_to;
     double start = 0, duration = 0;
   };
-  /// Geometry of the present document: surface or curve. A surface is rebuilt by parts: edits and clock change the maps
-  /// alone.
+  /// What stands on the stage, and what it was made from. A blending surface is rebuilt by parts: edits and clock change
+  /// the maps alone.
   struct Geometry {
-    std::optional<scene::CurveFigure> curve;
-    scene::Shape curve_made_from;
-    scene::BlendingSurfaceObject object;
+    std::optional<Figure> figure;  ///< there is one from the first frame on
+    scene::Shape made_from;
     scene::Animation animation;
     scene::Roll roll{-1, -1};
-    std::optional<BlendingSurface> surface;
-    std::optional<scene::PickNet> net;  ///< made when asked for
     bool maps_uploaded = false, tables_uploaded = false, hues_uploaded = false;
   };
 
   void advance(double now);
   void advance_roll(double now);
   void update_geometry();
-  void update_curve();
-  bool same_static_part(const scene::BlendingSurfaceObject& object) const;
+  void update_surface(const scene::BlendingSurfaceObject& object);
+  KNOTWORK_LATER void update_net(const scene::BSplineSurfaceObject& object);
+  void upload_blending(const BlendingFigure& figure, const scene::BlendingSurfaceObject& object);
+  KNOTWORK_LATER void upload_model(const ModelSurfaceFigure& figure, const scene::ModelSurfaceObject& object);
+  KNOTWORK_LATER void upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurfaceObject& object);
   void forget_gesture();
   void after_travel(const scene::Camera& camera_before);
   void update_floor(double seconds);
@@ -118,8 +123,7 @@ class App {
   void changed();
   void request_frames(int count);
   void say(std::string notice);
-  std::vector<glm::dvec3> outline_now() const;
-  void make_room_for(const BlendingSurface& next);
+  void make_room_for(const std::vector<glm::dvec3>& next);
   void frame_all();
   void place_picture();
   void compose_for(const std::vector<glm::dvec3>& points, double duration);
@@ -128,8 +132,7 @@ class App {
   Viewport free_viewport() const;
   /// What an event at `position` looks at; handles near it know whether something hides them.
   Stage stage(glm::dvec2 position);
-  std::optional<Probe> probe() const;
-  std::optional<double> curve_probe() const;
+  std::optional<glm::dvec2> pointed() const;
   std::vector<StageLabel> stage_labels();
   Picture picture();
   bool over_interface(glm::dvec2 position) const;

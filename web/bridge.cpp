@@ -152,4 +152,7 @@ EMSCRIPTEN_KEEPALIVE double knotwork_revision() { return app() == nullptr ? 0 : 
 EMSCRIPTEN_KEEPALIVE const char* knotwork_select(const char* handle) {
   return app() == nullptr ? no_app() : give(answer_select(*app(), handle));
 }
+EMSCRIPTEN_KEEPALIVE const char* knotwork_points(const char* text) {
+  return app() == nullptr ? no_app() : give(answer_points(*app(), text));
+}
 }

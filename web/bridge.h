@@ -51,11 +51,14 @@ const char* knotwork_chapters();
 const char* knotwork_open(const char* chapter);
 
 /// What the page beside the stage shows, asked for after a frame when knotwork_revision() has changed:
-/// {canUndo, canRedo, undoLabel, redoLabel, notice, shape, selected, u: {topology, domain, knots, patches, locals},
-///  v: {...}}; `notice` is a sentence for a live region (a refusal, what was selected), `domain` is text as
-/// "[u₁, u₇)", `shape` is "plane", "cylinder" or "torus".
+/// {canUndo, canRedo, undoLabel, redoLabel, notice, selected, points, surface: {shape, u: {topology, domain, knots,
+///  patches, locals}, v: {...}}}; `notice` is a sentence for a live region (a refusal, what was selected), `points` how
+/// many a figure is made from that is made from a list of them (else null), `surface` null while there is none, `domain`
+/// text as "[u₁, u₇)", `shape` "plane", "cylinder" or "torus".
 const char* knotwork_state();
 double knotwork_revision();
 /// A handle is selected (by its id from handles(), or "" for none) and moved by keys.
 const char* knotwork_select(const char* handle);
+/// Points as text (point_text.h) replace those of the figure on the stage.
+const char* knotwork_points(const char* text);
 }

@@ -7,45 +7,34 @@
 
 #include <glm/geometric.hpp>
 
+#include "web/panel_frame.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
 namespace {
 
-constexpr float curve_width = 3.6F, band_width = 15, leg_width = 1.3F;
+constexpr float band_width = 15, leg_width = 1.3F;
 constexpr std::size_t most_labels = 24;
 constexpr double label_distance = 19;  // CSS pixels from the point
 constexpr int label_sides = 16;        // tried
 
 glm::vec4 opaque(const Colour& c, float alpha = 1) { return {c[0], c[1], c[2], alpha}; }
 
-/// The hues mixed as their points are. Mixtures of opposite hues are grey: some of the chroma lost is given back.
+/// The points' hues mixed as the points are.
 Colour mixture(const scene::CurveFigure& figure, std::size_t k, const std::vector<glm::vec3>& hues) {
   const std::size_t width = static_cast<std::size_t>(figure.curve.degree()) + 1;
-  glm::vec3 lab(0);
-  float chroma = 0;
+  std::vector<float> weights(width);
+  std::vector<glm::vec3> there(width);
   for (std::size_t j = 0; j < width; ++j) {
-    const auto weight = static_cast<float>(figure.weights[k * width + j]);
-    const glm::vec3& hue = hues[(static_cast<std::size_t>(figure.samples[k].first) + j) % hues.size()];
-    lab += weight * hue;
-    chroma += weight * std::hypot(hue.y, hue.z);
+    weights[j] = static_cast<float>(figure.weights[k * width + j]);
+    there[j] = hues[(static_cast<std::size_t>(figure.firsts[k]) + j) % hues.size()];
   }
-  const float left = std::hypot(lab.y, lab.z);
-  const float gain = left > 0.01F ? std::min(std::lerp(1.0F, chroma / left, 0.7F), 2.2F) : 1.0F;
-  return srgb({lab.x, gain * lab.y, gain * lab.z});
+  return mixed_hues(weights, there);
 }
 
 void add_line(std::vector<Ribbon>& ribbons, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
               const glm::vec4& colour, float width) {
   ribbons.push_back({glm::vec3(to_glm(from)), glm::vec3(to_glm(to)), colour, width});
-}
-
-void add_polygon(Picture& picture, const scene::CurveFigure& figure) {
-  const std::span<const Eigen::Vector3d> points = figure.curve.points();
-  const std::size_t legs = points.size() - (figure.curve.knots().closed() ? 0 : 1);
-  const glm::vec4 ink = opaque(mixed(picture.theme.stage, picture.theme.ink_soft, 0.55F));
-  for (std::size_t k = 0; k < legs; ++k)
-    add_line(picture.ribbons, points[k], points[(k + 1) % points.size()], ink, leg_width);
 }
 
 /// Even and without seams, hence of one opaque colour.
@@ -71,6 +60,32 @@ void add_construction(Picture& picture, const scene::CurveFigure& figure) {
   }
 }
 
+}  // namespace
+
+Colour point_hue(int i, bool dark) {
+  // Without the two pale hues: they would be lost as lines on paper.
+  constexpr std::array<int, 6> strong{0, 1, 2, 3, 4, 6};
+  return scene::patch_hue(strong[static_cast<std::size_t>(i) % strong.size()], dark);
+}
+
+void add_polygon(Picture& picture, std::span<const Eigen::Vector3d> points, bool closed) {
+  const std::size_t legs = points.size() - (closed ? 0 : 1);
+  const glm::vec4 ink = opaque(mixed(picture.theme.stage, picture.theme.ink_soft, 0.55F));
+  for (std::size_t k = 0; k < legs; ++k)
+    add_line(picture.ribbons, points[k], points[(k + 1) % points.size()], ink, leg_width);
+}
+
+void add_hued_curve(Picture& picture, const scene::CurveFigure& figure, float width, float strength) {
+  std::vector<glm::vec3> hues;
+  hues.reserve(figure.curve.points().size());
+  for (int i = 0; i < figure.curve.knots().count(); ++i) hues.push_back(oklab(point_hue(i, picture.theme.dark)));
+  for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
+    const Colour ink = picture.display.patch_colours ? mixture(figure, k, hues) : picture.theme.ink;
+    add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point,
+             opaque(mixed(picture.theme.stage, ink, strength)), width);
+  }
+}
+
 /// On the curve, filled where two or more coincide; the ends of an open curve need no mark.
 void add_knots(Picture& picture, const scene::CurveFigure& figure) {
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
@@ -80,28 +95,26 @@ void add_knots(Picture& picture, const scene::CurveFigure& figure) {
   }
 }
 
-}  // namespace
-
-Colour point_hue(int i, bool dark) {
-  // Without the two pale hues: they would be lost as lines on paper.
-  constexpr std::array<int, 6> strong{0, 1, 2, 3, 4, 6};
-  return scene::patch_hue(strong[static_cast<std::size_t>(i) % strong.size()], dark);
+Colour mixed_hues(std::span<const float> weights, std::span<const glm::vec3> hues) {
+  glm::vec3 lab(0);
+  float chroma = 0;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    lab += weights[j] * hues[j];
+    chroma += weights[j] * std::hypot(hues[j].y, hues[j].z);
+  }
+  const float left = std::hypot(lab.y, lab.z);
+  const float gain = left > 0.01F ? std::min(std::lerp(1.0F, chroma / left, 0.7F), 2.2F) : 1.0F;
+  return srgb({lab.x, gain * lab.y, gain * lab.z});
 }
 
 void add_curve(Picture& picture, const scene::CurveFigure& figure, const InteractionState& state) {
   const scene::Display& display = picture.display;
   const std::optional<HandleIndex> held = state.selected ? state.selected : state.hovered;
-  if (display.polygon) add_polygon(picture, figure);
+  if (display.polygon) add_polygon(picture, figure.curve.points(), figure.curve.knots().closed());
   if (held && *held != parameter_handle && held->first < figure.curve.knots().count())
     add_band(picture, figure, held->first);
 
-  std::vector<glm::vec3> hues;
-  hues.reserve(figure.curve.points().size());
-  for (int i = 0; i < figure.curve.knots().count(); ++i) hues.push_back(oklab(point_hue(i, picture.theme.dark)));
-  for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
-    const Colour ink = display.patch_colours ? mixture(figure, k, hues) : picture.theme.ink;
-    add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point, opaque(ink), curve_width);
-  }
+  add_hued_curve(picture, figure);
   if (display.knot_lines) add_knots(picture, figure);
   if (display.construction) add_construction(picture, figure);
   if (state.insertion)
@@ -109,7 +122,12 @@ void add_curve(Picture& picture, const scene::CurveFigure& figure, const Interac
                                      to_glm(picture.theme.ink_soft), 1.6F});
 }
 
-void add_points(Picture& picture, const std::vector<Handle>& handles, const InteractionState& state) {
+void add_points(Picture& picture, std::span<const Handle> handles, const InteractionState& state) {
+  add_points(picture, handles, state, [dark = picture.theme.dark](int i) { return point_hue(i, dark); });
+}
+
+void add_points(Picture& picture, std::span<const Handle> handles, const InteractionState& state,
+                const std::function<Colour(int)>& hue_of) {
   const Theme& theme = picture.theme;
   const Colour white = theme.dark ? theme.stage : Colour{1, 1, 1};
   const float base = handles.size() > 200 ? 3.6F : handles.size() > 60 ? 5.2F : 7.0F;
@@ -122,7 +140,7 @@ void add_points(Picture& picture, const std::vector<Handle>& handles, const Inte
           {glm::vec3(handle.position), hovered || selected ? 7.5F : 6.0F, opaque(ink), to_glm(theme.stage), 1.4F});
       continue;
     }
-    const Colour hue = point_hue(handle.index.first, theme.dark);
+    const Colour hue = hue_of(handle.index.first);
     Disc disc{glm::vec3(handle.position), base, opaque(white), to_glm(hue), std::min(2.6F, 0.4F * base)};
     if (hovered) disc.radius = 1.3F * base;
     if (selected) {
@@ -135,8 +153,13 @@ void add_points(Picture& picture, const std::vector<Handle>& handles, const Inte
   }
 }
 
-std::vector<StageLabel> point_labels(const std::vector<Handle>& handles, const scene::CurveFigure& figure,
-                                     const View& view, const Theme& theme) {
+void add_to_picture(Picture& picture, const scene::CurveFigure& figure, const Look& look) {
+  add_curve(picture, figure, look.state);
+  if (picture.display.handles) add_points(picture, look.handles, look.state);
+}
+
+std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<const Handle> handles, const View& view,
+                                  const Theme& theme) {
   // What a label should keep clear of: the points, the polygon and the curve, as dots on the screen.
   std::vector<glm::dvec2> points, dots;
   for (const Handle& handle : handles) {
@@ -167,10 +190,7 @@ std::vector<StageLabel> point_labels(const std::vector<Handle>& handles, const s
       most = clear;
       best = place;
     }
-    std::string name = "c";
-    for (const char figure_of_k : std::to_string(k))
-      name += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure_of_k - '0'));
-    labels.push_back({name, best, point_hue(static_cast<int>(k), theme.dark)});
+    labels.push_back({"c" + subscript(static_cast<int>(k)), best, point_hue(static_cast<int>(k), theme.dark)});
   }
   return labels;
 }

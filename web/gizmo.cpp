@@ -83,7 +83,11 @@ glm::dmat3 gizmo_axes(const BlendingSurface& surface, const scene::BlendingSurfa
 
 Gizmo make_gizmo(const BlendingSurface& surface, const scene::BlendingSurfaceObject& object, scene::PatchIndex patch,
                  const View& view) {
-  Gizmo gizmo{to_glm(scene::patch_origin(surface, patch)), gizmo_axes(surface, object, patch), 0, {}};
+  return make_gizmo(to_glm(scene::patch_origin(surface, patch)), gizmo_axes(surface, object, patch), view);
+}
+
+Gizmo make_gizmo(glm::dvec3 origin, const glm::dmat3& axes, const View& view) {
+  Gizmo gizmo{origin, axes, 0, {}};
   gizmo.size = gizmo_radius * view.pixel_size(gizmo.origin);
   if (!view.project(gizmo.origin)) return gizmo;
 

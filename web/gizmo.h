@@ -35,8 +35,10 @@ inline constexpr double gizmo_radius = 46, knob_radius = 5;  ///< CSS pixels
 /// The axes of a gizmo: those of the patch, turned by its edit.
 glm::dmat3 gizmo_axes(const BlendingSurface& surface, const scene::BlendingSurfaceObject& object,
                       scene::PatchIndex patch);
-/// The gizmo of one patch. Three rings; everything else stands just outside of them, so that nothing lies over the
+/// The gizmo of a local patch or local curve. Three rings; everything else stands just outside of them, so that nothing lies over the
 /// handle: knobs on short stems along u and v, the even knob on their diagonal, the arrow along the normal.
+Gizmo make_gizmo(glm::dvec3 origin, const glm::dmat3& axes, const View& view);
+/// That of one patch, where the surface has it.
 Gizmo make_gizmo(const BlendingSurface& surface, const scene::BlendingSurfaceObject& object, scene::PatchIndex patch,
                  const View& view);
 /// The part under a screen position, nearest first, within `reach` CSS pixels (larger for touch). Of parts that cross

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "knotwork/scene/curve_edits.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -36,9 +37,7 @@ bool usable(glm::dvec2 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::abs(v.x) < 1e6 && std::abs(v.y) < 1e6;
 }
 
-std::string name_of(const Stage& stage, HandleIndex index) {
-  return handle_name(scene::stage_shape(stage.document), index);
-}
+std::string name_of(const Stage& stage, HandleIndex index) { return handle_name(stage.shape(), index); }
 
 const char* deed(const InteractionState& state) {
   if (state.drag != Drag::gizmo || state.drag_part == GizmoPart::move_normal) return " moved";
@@ -76,6 +75,12 @@ void let_go(InteractionState& state, const Stage& stage, Outcome& outcome, bool 
   outcome.redraw = true;
 }
 
+void stop_drawing(InteractionState& state, Outcome& outcome) {
+  state.drawing = false;
+  state.stroke.clear();
+  outcome.redraw = true;
+}
+
 /// Handles may have gone since the last event, by another number of local surfaces or another document.
 void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcome) {
   if (holds_something(state) && !exists(stage, state.held)) {
@@ -89,6 +94,7 @@ void forget_missing(InteractionState& state, const Stage& stage, Outcome& outcom
     state.hovered_part.reset();
     outcome.redraw = true;
   }
+  if (state.drawing && !takes_list(stage)) stop_drawing(state, outcome);
   if (state.hovered && !exists(stage, *state.hovered)) {
     state.hovered.reset();
     outcome.redraw = true;
@@ -117,23 +123,21 @@ std::optional<HandleIndex> nearest_handle(const Stage& stage, glm::dvec2 positio
 }
 
 Target target(const InteractionState& state, const Stage& stage, glm::dvec2 position, PointerDevice device) {
-  if (!stage.document.display.handles) return {};
+  if (!stage.document.display.handles || state.drawing) return {};
   const Reach& within = reach(device);
-  if (state.selected && stage.surface) {
-    const Gizmo gizmo =
-        make_gizmo(*stage.surface, scene::blending_surface(stage.document), *state.selected, stage.view);
-    const std::optional<glm::dvec3> centre = stage.view.project(gizmo.origin);
+  if (const auto gizmo = state.selected ? gizmo_of(stage, *state.selected) : std::nullopt) {
+    const std::optional<glm::dvec3> centre = stage.view.project(gizmo->origin);
     if (centre && glm::length(glm::dvec2(*centre) - position) <= within.core) return {{}, state.selected, {}};
-    if (const auto part = pick_gizmo(gizmo, stage.view, position, within.gizmo)) return {part, {}, {}};
+    if (const auto part = pick_gizmo(*gizmo, stage.view, position, within.gizmo)) return {part, {}, {}};
   }
   if (const auto handle = nearest_handle(stage, position, within.handle)) return {{}, handle, {}};
   // A finger that wants to turn the view would too often come upon the polygon.
-  const bool adds = device != PointerDevice::touch && stage.curve && stage.document.display.polygon;
+  const bool adds = device != PointerDevice::touch && adds_on_polygon(stage) && stage.document.display.polygon;
   return {{}, {}, adds ? insertion_at(stage, position, within.polygon) : std::nullopt};
 }
 
 std::optional<glm::dvec2> probed(const Stage& stage, glm::dvec2 position, PointerDevice device) {
-  if (stage.curve) {
+  if (!path_of(stage.figure).empty()) {
     const std::optional<double> t = curve_parameter_at(stage, position, reach(device).curve);
     return t ? std::optional(glm::dvec2(*t, 0)) : std::nullopt;
   }
@@ -190,13 +194,18 @@ void add_point(InteractionState& state, const Stage& stage, Outcome& outcome, co
                const PointerEvent& event) {
   outcome.begin_gesture = state.gesture_open = true;
   state.gesture_time = event.time;
-  perform(outcome, {scene::InsertPoint{insertion.index, to_eigen(insertion.position)}});
+  perform(outcome, {insertion.command});
   state.selected_before = state.selected;
-  state.selected = HandleIndex(insertion.index, 0);
+  const std::optional<Landing> start = landing(stage, insertion);
+  if (!start) {  // the reader is told why when the command is refused
+    state.drag = Drag::rest;
+    return;
+  }
+  state.selected = start->handle;
   state.drag = Drag::handle;
-  const std::optional<glm::dvec3> screen = stage.view.project(insertion.position);
+  const std::optional<glm::dvec3> screen = stage.view.project(start->position);
   const glm::dvec2 offset = screen ? event.position - glm::dvec2(*screen) : glm::dvec2(0);
-  state.held = PointDrag{*state.selected, insertion.position, offset, event.position};
+  state.held = PointDrag{*state.selected, start->position, offset, event.position};
   set_hover(state, outcome, {{}, state.selected, {}}, state.probe);
   outcome.notice = name_of(stage, *state.selected) + " added";
 }
@@ -206,6 +215,12 @@ void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, c
   state.drag = Drag::rest;
   if (event.button == 1 || event.button == 2) state.drag = Drag::pan;
   if (event.button != 0) return;
+  if (state.drawing) {
+    state.drag = Drag::draw;
+    state.stroke = {event.position};
+    outcome.redraw = true;
+    return;
+  }
 
   const Target under = target(state, stage, event.position, event.device);
   if (under.insertion) {
@@ -235,6 +250,7 @@ void begin_pinch(InteractionState& state, const Stage& stage, Outcome& outcome, 
       outcome.notice.clear();
     }
   }
+  state.stroke.clear();
   state.drag = Drag::pinch;
   state.drag_pointer = first;
   state.second_pointer = event.id;
@@ -283,6 +299,9 @@ void move(InteractionState& state, const Stage& stage, Outcome& outcome, const P
   if (event.id != state.drag_pointer || !pointer.moved) return;
   if (holds_something(state)) {
     drag_held(state, stage, outcome, event);
+  } else if (state.drag == Drag::draw) {
+    draw_on(state.stroke, event.position);
+    outcome.redraw = true;
   } else if (state.drag == Drag::orbit || state.drag == Drag::pan) {
     state.last_tap.reset();
     set_hover(state, outcome, {}, std::nullopt);
@@ -291,6 +310,16 @@ void move(InteractionState& state, const Stage& stage, Outcome& outcome, const P
                state.drag == Drag::orbit ? orbit(stage.document.camera, way, stage.view.viewport)
                                          : pan(stage.document.camera, way, present_view(stage)));
   }
+}
+
+/// The line is drawn: its points take the place of those there were, as one step of the history.
+KNOTWORK_LATER void finish_stroke(InteractionState& state, const Stage& stage, Outcome& outcome, bool cancelled) {
+  const View view = present_view(stage);
+  std::vector<Eigen::Vector3d> points =
+      drawn_points(state.stroke, view, to_glm(stage.document.camera.target), scene::curve_points(stage.shape()));
+  stop_drawing(state, outcome);
+  if (cancelled || points.size() < 2) return;
+  perform(outcome, {scene::SetPoints{std::move(points)}});
 }
 
 /// A pointer goes: up, cancelled, or replaced by a second press whose release was lost.
@@ -303,6 +332,7 @@ void release(InteractionState& state, const Stage& stage, Outcome& outcome, int 
     state.drag = Drag::rest;
   } else if (id == state.drag_pointer && state.drag != Drag::pinch) {
     if (holds_something(state)) let_go(state, stage, outcome, cancelled);
+    if (state.drag == Drag::draw) finish_stroke(state, stage, outcome, cancelled);
     if (state.drag == Drag::orbit && !pointer.moved && tap_time) tap(state, stage, outcome, pointer, *tap_time);
     state.drag = Drag::rest;
   }
@@ -352,16 +382,17 @@ void nudge_selected(InteractionState& state, const Stage& stage, Outcome& outcom
 void remove_selected(InteractionState& state, const Stage& stage, Outcome& outcome) {
   end_nudge(state, outcome);
   perform(outcome, removed(stage, *state.selected));
-  const char* patch_word = outcome.commands.empty() ? " is as it was" : " reset";
-  outcome.notice = name_of(stage, *state.selected) + (stage.surface ? patch_word : " deleted");
+  if (outcome.commands.empty() && !local_of(stage, *state.selected)) return;
+  const char* done = local_of(stage, *state.selected) ? " reset" : " deleted";
+  outcome.notice = name_of(stage, *state.selected) + (outcome.commands.empty() ? " is as it was" : done);
 }
 
 void add_after_selected(InteractionState& state, const Stage& stage, Outcome& outcome) {
   const std::optional<Insertion> place = insertion_after(stage, *state.selected);
   if (!place) return;
   end_nudge(state, outcome);
-  perform(outcome, {scene::InsertPoint{place->index, to_eigen(place->position)}});
-  state.selected = HandleIndex(place->index, 0);
+  perform(outcome, {place->command});
+  state.selected = place->handle;
   outcome.notice = name_of(stage, *state.selected) + " added";
 }
 
@@ -378,7 +409,12 @@ void zoom_about_target(Outcome& outcome, const Stage& stage, double factor) {
 void escape(InteractionState& state, const Stage& stage, Outcome& outcome) {
   if (state.drag != Drag::none && state.drag != Drag::rest) {
     if (holds_something(state)) let_go(state, stage, outcome, true);
+    if (state.drag == Drag::draw) stop_drawing(state, outcome);
     state.drag = Drag::rest;
+    outcome.used = true;
+  } else if (state.drawing) {
+    stop_drawing(state, outcome);
+    outcome.notice = "Not drawing";
     outcome.used = true;
   } else if (state.nudging) {
     outcome.cancel_gesture = outcome.redraw = outcome.used = true;
@@ -407,7 +443,7 @@ void handle_key(InteractionState& state, const Stage& stage, Outcome& outcome, c
   } else if (event.key == "Delete" || event.key == "Backspace") {  // what a Mac's keyboard calls delete
     remove_selected(state, stage, outcome);
     outcome.used = true;
-  } else if (event.key == "Insert" && stage.curve) {
+  } else if (event.key == "Insert" && has_polygon(stage)) {
     add_after_selected(state, stage, outcome);
     outcome.used = true;
   }
@@ -419,6 +455,10 @@ void stage_key(InteractionState& state, const Stage& stage, Outcome& outcome, st
     select_neighbour(state, stage, outcome, -1);
   } else if (key == "]") {
     select_neighbour(state, stage, outcome, 1);
+  } else if ((key == "d" || key == "D") && takes_list(stage)) {
+    state.drawing = !state.drawing;
+    outcome.notice = state.drawing ? "Draw the points: press and drag on the stage" : "Not drawing";
+    outcome.redraw = true;
   } else if (key == "+" || key == "=") {
     zoom_about_target(outcome, stage, key_zoom);
   } else if (key == "-" || key == "_") {
@@ -546,10 +586,13 @@ const char* cursor(const InteractionState& state) {
     case Drag::pan:
     case Drag::pinch:
       return "move";
+    case Drag::draw:
+      return "crosshair";
     case Drag::none:
     case Drag::rest:
       break;
   }
+  if (state.drawing) return "crosshair";
   return state.hovered || state.hovered_part ? "grab" : "default";
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "knotwork/scene/commands.h"
+#include "web/freehand.h"
 #include "web/gizmo.h"
 #include "web/holding.h"
 #include "web/input.h"
@@ -32,11 +33,13 @@ struct InteractionState {
   double last_tap_time = 0;
 
   /// `rest`: pointers are down that do nothing any more until all are up (after a pinch, after Escape).
-  enum class Drag : unsigned char { none, handle, gizmo, orbit, pan, pinch, rest };
+  enum class Drag : unsigned char { none, handle, gizmo, orbit, pan, pinch, draw, rest };
   Drag drag = Drag::none;
   int drag_pointer = -1, second_pointer = -1;  ///< the second of a pinch
   GizmoPart drag_part = GizmoPart::turn_normal;
   Held held;                  ///< of a handle or gizmo drag
+  bool drawing = false;       ///< the next drag draws the figure's points
+  Stroke stroke;              ///< of a draw drag
   bool gesture_open = false;  ///< the drag has begun its history entry
   double gesture_time = 0;    ///< when it did
   bool nudging = false;       ///< an arrow key is held down and its history entry open
@@ -59,7 +62,7 @@ Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent&
 /// Only with Ctrl or Meta held: zooms about the pointer. A plain wheel belongs to the page.
 Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& event);
 /// Arrows move the selected handle a little in the view plane (Shift: finer; Page Up/Down along the patch's normal or z),
-/// `[` and `]` select the neighbour, Delete puts a patch back or deletes a point, Insert adds one after it, Escape cancels a drag or the selection, + - zoom, 0 or Home
+/// `[` and `]` select the neighbour, D makes the next drag draw the figure's points, Delete puts a patch back or deletes a point, Insert adds one after it, Escape cancels a drag or the selection, + - zoom, 0 or Home
 /// frames, Space plays and pauses, Ctrl+Z / Ctrl+Shift+Z / Ctrl+Y undo and redo. Tab is never used.
 Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event);
 

@@ -162,6 +162,26 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink
     case Icon::remove:
       strokes<2>(list, centre, unit, {{{3, 8}, {13, 8}}}, ink, thickness);
       break;
+    case Icon::pencil:
+      strokes<5>(list, centre, unit, {{{3, 13}, {3.9F, 9.7F}, {10.8F, 2.8F}, {13.2F, 5.2F}, {6.3F, 12.1F}}}, ink,
+                 thickness);
+      strokes<2>(list, centre, unit, {{{6.3F, 12.1F}, {3, 13}}}, ink, thickness);
+      break;
+    case Icon::back:
+      strokes<3>(list, centre, unit, {{{10.5F, 3.5F}, {6, 8}, {10.5F, 12.5F}}}, ink, thickness);
+      strokes<2>(list, centre, unit, {{{3.5F, 3.5F}, {3.5F, 12.5F}}}, ink, thickness);
+      break;
+    case Icon::onwards:
+      strokes<3>(list, centre, unit, {{{5.5F, 3.5F}, {10, 8}, {5.5F, 12.5F}}}, ink, thickness);
+      strokes<2>(list, centre, unit, {{{12.5F, 3.5F}, {12.5F, 12.5F}}}, ink, thickness);
+      break;
+    case Icon::play:
+      list.AddTriangleFilled(at(5, 3), at(13, 8), at(5, 13), ink);
+      break;
+    case Icon::pause:
+      list.AddRectFilled(at(4.5F, 3.5F), at(7, 12.5F), ink, unit);
+      list.AddRectFilled(at(9, 3.5F), at(11.5F, 12.5F), ink, unit);
+      break;
     case Icon::sliders:
       strokes<2>(list, centre, unit, {{{2, 5}, {14, 5}}}, ink, thickness);
       strokes<2>(list, centre, unit, {{{2, 11}, {14, 11}}}, ink, thickness);

@@ -108,7 +108,21 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
 
 bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled = true);
 
-enum class Icon : unsigned char { undo, redo, reset, frame, close, sliders, add, remove };
+enum class Icon : unsigned char {
+  undo,
+  redo,
+  reset,
+  frame,
+  close,
+  sliders,
+  add,
+  remove,
+  pencil,
+  back,
+  onwards,
+  play,
+  pause
+};
 bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint);
 bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool playing);
 /// A pill with an icon and a word.

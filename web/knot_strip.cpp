@@ -5,101 +5,38 @@
 
 #include "knotwork/basis/bspline_basis.h"
 #include "web/curve_ornaments.h"
+#include "web/panel_frame.h"
+#include "web/plot.h"
 
 namespace knotwork::web {
 namespace {
 
-constexpr float head = 18;          // above them: the sum
-constexpr float foot = 40;          // below the bumps: triangles and names
-constexpr float triangle = 9;       // width
+constexpr float sum_row = 18;       // above the bumps: the sum
 constexpr float snap = 7;           // CSS pixels
 constexpr float first_move = 3;     // until a knot follows
 constexpr double least_gap = 1e-3;  // of the shown parameters, between knots that must not coincide
-constexpr int most_stacked = 4;
-
-/// The strip's measures: parameters from left to right, weights upwards.
-struct Plot {
-  Rect area;  ///< of the bumps
-  double start, end;
-
-  ImVec2 at(double t, double weight) const { return {x_of(t), area.y + area.height * static_cast<float>(1 - weight)}; }
-  float x_of(double t) const { return area.x + area.width * static_cast<float>((t - start) / (end - start)); }
-  double t_of(float x) const { return start + (end - start) * static_cast<double>((x - area.x) / area.width); }
-};
-
-std::string subscripted(int number) {
-  std::string words = "t";
-  for (const char figure : std::to_string(number))
-    words += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
-  return words;
-}
 
 /// The stretch of samples in which a point has a say, as one curve each (two, where a closed curve's bump goes round).
-void bump(Interface& ui, const Plot& plot, const scene::CurveFigure& figure, int point, bool strong) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Colour hue = point_hue(point, ui.theme.dark);
-  const ImU32 face = colour(hue, strong ? 0.24F : 0.09F), line = colour(hue);
-  const ImDrawListFlags flags = list.Flags;
-  for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
-    const double a = figure.weight(k, point), b = figure.weight(k + 1, point);
-    const double from = figure.samples[k].t, to = figure.samples[k + 1].t;
-    if ((a <= 0 && b <= 0) || to <= from) continue;
-    list.Flags = flags & ~ImDrawListFlags_AntiAliasedFill;  // else the quads' soft edges would show as seams
-    list.AddQuadFilled(plot.at(from, 0), plot.at(from, a), plot.at(to, b), plot.at(to, 0), face);
-    list.Flags = flags;
-  }
-  bool open = false;
-  const auto stroke = [&] {
-    if (open) list.PathStroke(line, 0, strong ? 2.4F : 1.6F);
-    open = false;
-  };
+void bump(const Plot& plot, const scene::CurveFigure& figure, int point, const Colour& hue, bool strong) {
+  std::vector<double> t, weights;
+  t.reserve(figure.samples.size());
+  weights.reserve(figure.samples.size());
   for (std::size_t k = 0; k < figure.samples.size(); ++k) {
-    const double weight = figure.weight(k, point);
-    const bool alive = weight > 0 || (k > 0 && figure.weight(k - 1, point) > 0) ||
-                       (k + 1 < figure.samples.size() && figure.weight(k + 1, point) > 0);
-    if (!alive) {
-      stroke();
-      continue;
-    }
-    // Where an interval begins, the last one has already been: a line of no length would show as a blot.
-    const bool again = open && figure.samples[k].t <= figure.samples[k - 1].t && weight == figure.weight(k - 1, point);
-    if (!again) list.PathLineTo(plot.at(figure.samples[k].t, weight));
-    open = true;
+    t.push_back(figure.samples[k].t);
+    weights.push_back(figure.weight(k, point));
   }
-  stroke();
+  plot_bump(plot, t, weights, hue, strong);
 }
 
-void dotted(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 ink) {
-  for (float x = from.x; x < to.x; x += 6) list.AddLine({x, from.y}, {std::min(x + 2, to.x), from.y}, ink, 1.2F);
-}
-
-/// The triangle of a knot; ends are paler, as they do not move.
-void draw_mark(Interface& ui, const Plot& plot, const scene::CurveFigure::Mark& mark, bool movable, bool hovered) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Colour& ink = ui.theme.accent;
-  const ImU32 face = movable ? colour(ink) : colour(mixed(ui.theme.stage, ink, 0.5F));
-  const float x = plot.x_of(mark.t), half = (hovered ? 1.25F : 1.0F) * triangle / 2;
-  float y = plot.area.y + plot.area.height + 6;
-  const int count = std::min(mark.last - mark.first + 1, most_stacked);
-  for (int k = 0; k < count; ++k) {
-    list.AddTriangleFilled({x - half, y + half * 1.5F}, {x, y}, {x + half, y + half * 1.5F}, face);
-    y += 6;
-  }
-}
-
-/// Names of the knots under their triangles, as far as they keep apart.
+/// Names of the knots under their triangles.
 void draw_names(Interface& ui, const Plot& plot, const scene::CurveFigure& figure) {
   float taken = -1e9F;
-  const float y = plot.area.y + plot.area.height + foot - 5;
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
     const int count = mark.last - mark.first + 1;
-    std::string name = subscripted(mark.first);
-    if (count == 2) name += " " + subscripted(mark.last);
-    if (count > 2) name += "–" + subscripted(mark.last);
-    const float width = text_width(ui, Face::small, name), x = plot.x_of(mark.t);
-    if (x - width / 2 < taken + 6) continue;
-    text(ui, Face::small, {x, y}, colour(ui.theme.ink_soft), name, Align::centre);
-    taken = x + width / 2;
+    std::string name = "t" + subscript(mark.first);
+    if (count == 2) name += " t" + subscript(mark.last);
+    if (count > 2) name += "–t" + subscript(mark.last);
+    plot_knot_name(ui, plot, mark.t, name, taken);
   }
 }
 
@@ -141,20 +78,28 @@ double allowed(const Plot& plot, const scene::CurveFigure& figure, int index, do
 
 StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
                       std::optional<int> held, KnotDrag& drag) {
+  return knot_strip(ui, rect, figure, movable, held, drag, {{}, {}, figure.t});
+}
+
+StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
+                      std::optional<int> held, KnotDrag& drag, const StripOptions& options) {
+  const auto hue_of = [&](int point) {
+    return options.hues.empty() ? point_hue(point, ui.theme.dark) : options.hues[static_cast<std::size_t>(point)];
+  };
   StripEvent event;
   const KnotVector& knots = figure.curve.knots();
-  const Plot plot{{rect.x, rect.y + head, rect.width, rect.height - head - foot},
+  const Plot plot{{rect.x, rect.y + sum_row, rect.width, rect.height - sum_row - plot_knot_foot},
                   figure.marks.front().t,
                   knots.closed() ? knots.end() : figure.marks.back().t};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float pointer = ImGui::GetIO().MousePos.x;
 
-  const Press line = press_area(ui, "basis", {plot.area.x - 8, plot.area.y, plot.area.width + 16, plot.area.height});
+  const PlotPress line = plot_press(ui, plot, "basis");
   event.taken = line.taken;
   event.let_go = line.let_go;
-  if (line.held) event.t = std::clamp(plot.t_of(pointer), knots.start(), knots.end());
+  if (line.t) event.t = std::clamp(*line.t, knots.start(), knots.end());
 
-  const Rect row{plot.area.x - 14, plot.area.y + plot.area.height, plot.area.width + 28, foot};
+  const Rect row{plot.area.x - 14, plot.area.y + plot.area.height, plot.area.width + 28, plot_knot_foot};
   const scene::CurveFigure::Mark* under = nullptr;
   if (movable) {
     const Press press = press_area(ui, "knots", row);
@@ -178,39 +123,40 @@ StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure&
     }
     for (const scene::CurveFigure::Mark& mark : figure.marks)
       if (may_move(mark))
-        ui.widgets.push_back({"knot " + std::to_string(mark.last), {plot.x_of(mark.t) - 9, row.y + 2, 18, 18}});
+        ui.widgets.push_back({std::string(options.prefix) + "knot " + std::to_string(mark.last),
+                              {plot.x_of(mark.t) - 9, row.y + 2, 18, 18}});
   }
 
   const auto where = [&](double t) { return plot.x_of(t); };
   if (held) {
     // The light behind the held point's support, as on the curve.
-    const Colour hue = point_hue(*held, ui.theme.dark);
+    const Colour hue = hue_of(*held);
     for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k)
       if (figure.weight(k, *held) > 0 || figure.weight(k + 1, *held) > 0)
         list.AddRectFilled({where(figure.samples[k].t), plot.area.y},
                            {where(figure.samples[k + 1].t), plot.area.y + plot.area.height}, colour(hue, 0.1F));
   }
   for (int i = 0; i < knots.count(); ++i)
-    if (held != i) bump(ui, plot, figure, i, false);
-  if (held) bump(ui, plot, figure, *held, true);
+    if (held != i) bump(plot, figure, i, hue_of(i), false);
+  if (held) bump(plot, figure, *held, hue_of(*held), true);
 
-  dotted(list, plot.at(knots.start(), 1), plot.at(knots.end(), 1), colour(ui.theme.ink_soft));
-  text(ui, Face::small, {plot.at(plot.end, 1).x, plot.at(plot.end, 1).y - 9}, colour(ui.theme.ink_soft), "sum 1",
-       Align::right);
-  list.AddLine(plot.at(plot.start, 0), plot.at(plot.end, 0), colour(ui.theme.ink_soft), 1.2F);
-
-  list.AddLine({where(figure.t), plot.area.y - 6}, {where(figure.t), plot.area.y + plot.area.height},
-               colour(ui.theme.ink), 1.4F);
-  std::vector<double> basis(static_cast<std::size_t>(knots.degree()) + 1);
-  const int span = knots.span(knots.reduced(figure.t));
-  bspline_basis(knots, span, knots.reduced(figure.t), 0, basis);
-  for (std::size_t j = 0; j < basis.size(); ++j) {
-    const int point = (span - knots.degree() + static_cast<int>(j)) % knots.count();
-    list.AddCircleFilled(plot.at(figure.t, basis[j]), 3.6F, colour(point_hue(point, ui.theme.dark)));
+  plot_level(ui, plot, 1, knots.start(), knots.end(), "sum 1");
+  plot_ground(ui, plot);
+  if (options.parameter) {
+    const double t = knots.reduced(*options.parameter);
+    plot_parameter(ui, plot, t);
+    std::vector<double> basis(static_cast<std::size_t>(knots.degree()) + 1);
+    const int span = knots.span(t);
+    bspline_basis(knots, span, t, 0, basis);
+    for (std::size_t j = 0; j < basis.size(); ++j) {
+      const int point = (span - knots.degree() + static_cast<int>(j)) % knots.count();
+      plot_dot(plot, t, basis[j], hue_of(point));
+    }
   }
 
   for (const scene::CurveFigure::Mark& mark : figure.marks)
-    draw_mark(ui, plot, mark, movable && mark.inner, under == &mark || (drag.held && mark.t == knots[drag.index]));
+    plot_knot(ui, plot, mark.t, mark.last - mark.first + 1, movable && mark.inner,
+              under == &mark || (drag.held && mark.t == knots[drag.index]));
   draw_names(ui, plot, figure);
   return event;
 }

@@ -18,4 +18,13 @@ struct StripEvent {
 StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
                       std::optional<int> held, KnotDrag& drag);
 
+/// What one of several strips on the stage is told moreover.
+struct StripOptions {
+  std::string_view prefix;          ///< of its widgets' labels
+  std::span<const Colour> hues;     ///< of the points; none: point_hue()
+  std::optional<double> parameter;  ///< the line through all bumps is there, or nowhere
+};
+StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
+                      std::optional<int> held, KnotDrag& drag, const StripOptions& options);
+
 }  // namespace knotwork::web

@@ -7,8 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "web/interface_widgets.h"
-#include "web/knot_strip.h"
+#include "web/figure_panel.h"
 
 namespace knotwork::web {
 namespace {
@@ -16,51 +15,43 @@ namespace {
 using scene::Parameter;
 using scene::ParameterKind;
 
-// Every word of the interface that is not in the parameter table.
+// Every word of the interface that is neither in the parameter table nor a figure's own.
 namespace words {
 constexpr std::string_view controls = "Controls", more = "Display, sampling, motion", display = "Display",
-                           undo = "Undo", redo = "Redo", reset = "Put all patches back",
-                           frame = "Show the whole figure", domain = "domain", knots = "knots", patches = "patches",
-                           locals = "locals", selected = "patch", pointed = "under the pointer", tapped = "at the tap",
-                           add = "Add a point after this one", remove = "Delete this point";
+                           undo = "Undo", redo = "Redo", frame = "Show the whole figure", domain = "domain";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
 // beside the clock. All others follow by themselves in the table's groups.
-constexpr std::array<std::string_view, 9> first_rows{"topology.u",     "topology.v",        "locals.u",
-                                                     "locals.v",       "blending.function", "blending.parameter",
-                                                     "curve.topology", "curve.degree",      "curve.parameter"};
+constexpr std::array<std::string_view, 23> first_rows{"topology.u",
+                                                      "topology.v",
+                                                      "locals.u",
+                                                      "locals.v",
+                                                      "curve.model",
+                                                      "curve.topology",
+                                                      "locals.count",
+                                                      "locals.kind",
+                                                      "locals.degree",
+                                                      "blending.function",
+                                                      "blending.parameter",
+                                                      "curve.degree",
+                                                      "curve.parameter",
+                                                      "fitted.count",
+                                                      "fitted.parameters",
+                                                      "fitted.knots",
+                                                      "fitted.ends",
+                                                      "subdivision.levels",
+                                                      "subdivision.step",
+                                                      "surface.degree.u",
+                                                      "surface.degree.v",
+                                                      "net.u",
+                                                      "net.v"};
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
 constexpr float padding = 16;       ///< inside the card
 constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
 constexpr float combo_margin = 40;  ///< beside the words of a closed list
-constexpr float clock_height = 64;  ///< from the stage's foot to the clock's upper edge
-constexpr float tools_height = 46;  ///< of the row of buttons under a curve's basis functions
-constexpr float wide_stage = 660;   ///< from here on there is room for the wide card
-constexpr float tall_stage = 820;   ///< from here on the report's table is always in view
-
-/// A curve's basis functions and knots.
-float strip_height(const Rect& stage) { return std::clamp(0.24F * stage.height, 128.0F, 200.0F); }
-
-struct Frame {
-  PanelState& state;
-  const PanelInput& input;
-  PanelOutput& output;
-  Interface& ui;
-  const scene::BlendingSurfaceObject* object;  ///< nullptr when a curve is on the stage
-  Rect stage;
-
-  bool tall() const { return stage.height >= tall_stage; }
-  /// From the stage's foot to the upper edge of what stands there: the clock, or a curve's basis functions.
-  float foot() const { return object ? clock_height : strip_height(stage) + (ui.touch ? 0.0F : tools_height); }
-};
-
-/// Where the next row goes.
-struct Column {
-  float x, width, y;
-};
 
 // Measures that a finger needs larger.
 float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
@@ -76,23 +67,6 @@ Rect card_frame(const Frame& frame) {
 
 bool listed(std::span<const std::string_view> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-std::string text_of(const char* format, double value) {
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  std::string text(buffer.data());
-  // A value that rounds to zero has no sign.
-  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
-  // The typographic minus is as wide as a figure.
-  if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
-  return text;
-}
-
-/// Raised figures, from 0 to 9.
-std::string superscript(int number) {
-  constexpr std::array<std::string_view, 10> figures{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  return std::string(figures[static_cast<std::size_t>(std::clamp(number, 0, 9))]);
 }
 
 /// With as many decimals as the step has.
@@ -137,32 +111,27 @@ void hint_if_hovered(Frame& frame, const Rect& rect, const std::string& reason) 
 }
 
 void take_slider(Frame& frame, const Parameter& parameter, const SliderEvent& event) {
-  if (parameter.in_history && event.taken) {
-    frame.output.begin_gesture = true;
-    frame.state.slider_held = true;
-  }
+  if (parameter.in_history && event.taken) take_gesture(frame);
   if (event.moved) set(frame, parameter, event.value);
-  if (event.let_go && frame.state.slider_held) {
-    frame.output.end_gesture = true;
-    frame.state.slider_held = false;
-  }
+  if (event.let_go) end_gesture(frame);
 }
 
-/// A slider ends at the soft maximum; a larger value, typed or loaded, gives it the whole range, and it keeps that for as
-/// long as the thumb is held.
+/// A slider goes over the soft range; a value beyond it, typed or loaded, gives it the whole range, and it keeps that for
+/// as long as the thumb is held.
 SliderScale scale_of(Frame& frame, const Parameter& parameter, double value) {
   const scene::Limits range = scene::range_of(frame.input.document, parameter);
-  const double soft = parameter.soft_max > range.min ? std::min(parameter.soft_max, range.max) : range.max;
+  const scene::Limits soft = scene::soft_range_of(frame.input.document, parameter);
   const std::string key = std::string(parameter.id) + "#whole";
   bool& whole = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(key.c_str()), false);
-  if (!frame.state.slider_held) whole = value > soft;
-  SliderScale scale{range.min, whole ? range.max : soft, parameter.step, false};
+  if (!frame.state.slider_held) whole = !soft.contains(value);
+  SliderScale scale{whole ? range.min : soft.min, whole ? range.max : soft.max, parameter.step, false};
   scale.logarithmic = scale.min > 0 && scale.max >= 16 * scale.min;
   return scale;
 }
 
 void number_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
-  const float height = slider_height(frame), labels = label_width(frame), values = frame.ui.touch ? 44.0F : 38.0F;
+  const float height = slider_height(frame), values = frame.ui.touch ? 44.0F : 38.0F;
+  const float labels = std::max(label_width(frame), std::ceil(text_width(frame.ui, Face::regular, label)) + 10);
   const Rect row{column.x, column.y, column.width, height};
   const std::string reason = why_disabled(frame, parameter);
   const bool enabled = reason.empty();
@@ -217,11 +186,6 @@ std::vector<float> thumbnail(std::string_view family) {
   for (int i = 0; i <= steps; ++i)
     curve.push_back(static_cast<float>(function.value()(static_cast<double>(i) / steps)[0]));
   return curve;
-}
-
-/// Presses in here are the interface's, not the stage's.
-void claim(Frame& frame, const Rect& rect) {
-  frame.output.regions.push_back({rect.x, rect.y, rect.width, rect.height});
 }
 
 void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
@@ -368,80 +332,22 @@ void heading(Frame& frame, Column& column, std::string_view words) {
   column.y += 27;
 }
 
-/// The legend names the two weights in their hues; under the pointer it gives their values.
-void plot_row(Frame& frame, Column& column) {
-  const Theme& theme = frame.input.theme;
-  const std::optional<double> w = frame.input.probe ? std::optional(frame.input.probe->blend_w_u) : std::nullopt;
-  const float middle = column.y + 9, centre = column.x + column.width / 2;
-  const ImU32 first = colour(as_text(theme, theme.local[0])), second = colour(as_text(theme, theme.local[1]));
-  std::string left = "1 − B", right = "B";
-  if (w) {
-    const double b = frame.input.surface->blending()(*w)[0];
-    left += "  " + text_of("%.2f", 1 - b);
-    right = text_of("%.2f", b) + "  " + right;
-    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), "w " + text_of("%.2f", *w), Align::centre);
-  } else {
-    ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4},
-                                              colour(theme.ink, 0.12F), 2);
-    text(frame.ui, Face::small, {centre + 1, middle}, colour(theme.ink_soft), "B′");
-  }
-  text(frame.ui, Face::small, {column.x, middle}, first, left);
-  text(frame.ui, Face::small, {column.x + column.width, middle}, second, right, Align::right);
-  column.y += 18;
-  blending_plot(frame.ui, {column.x, column.y, column.width, 64}, frame.input.surface->blending(), w);
-  column.y += 68;
-}
-
-/// The report's table. From the document, not from the surface: while a sheet rolls, the surface is a mixture of the two.
-void table(Frame& frame, Column& column) {
-  const Theme& theme = frame.input.theme;
-  const float line = 20, width = column.width;
-  const std::array<float, 4> ends{0.43F, 0.61F, 0.83F, 1};
-  const std::array<std::string_view, 4> heads{words::domain, words::knots, words::patches, words::locals};
-  const float first = column.x + 20;
-  for (std::size_t k = 0; k < heads.size(); ++k)
-    text(frame.ui, Face::small, {k == 0 ? first : column.x + ends[k] * width, column.y + 8}, colour(theme.ink_soft),
-         heads[k], k == 0 ? Align::left : Align::right);
-  column.y += line;
-
-  const auto row = [&](std::string_view letter, int locals, Topology topology) {
-    const Result<KnotVector> made = KnotVector::uniform(1, locals, topology, 0, 1);
-    if (!made) return;
-    const KnotVector& knots = made.value();
-    const auto subscript = [](int value) {
-      std::string out;
-      for (const char figure : std::to_string(value))
-        out += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
-      return out;
-    };
-    const std::string domain = "[" + std::string(letter) + subscript(knots.degree()) + ", " + std::string(letter) +
-                               subscript(knots.last_span() + 1) + (knots.closed() ? ")" : "]");
-    const std::array<std::string, 3> counts{std::to_string(knots.knots().size()),
-                                            std::to_string(knots.interval_count()), std::to_string(knots.count())};
-    ImGui::GetWindowDrawList()->AddLine({column.x, column.y - 1.5F}, {column.x + width, column.y - 1.5F},
-                                        colour(theme.rule, 0.8F));
-    text(frame.ui, Face::bold, {column.x, column.y + 8}, colour(theme.ink), letter);
-    text(frame.ui, Face::regular, {first, column.y + 8}, colour(theme.ink), domain);
-    for (std::size_t k = 0; k < counts.size(); ++k)
-      text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink), counts[k],
-           Align::right);
-    column.y += line;
-  };
-  row("u", frame.object->locals_u, frame.object->topology_u);
-  row("v", frame.object->locals_v, frame.object->topology_v);
-}
-
 void title_row(Frame& frame, Column& column, float right) {
   const float middle = column.y + 10;
-  const scene::Shape& shape = scene::stage_shape(frame.input.document);
   text(frame.ui, Face::bold, {column.x, middle}, colour(frame.input.theme.ink),
-       scene::shape_kinds()[shape.index()].label);
-  const std::string size = frame.object
-                               ? std::to_string(frame.object->locals_u) + " × " + std::to_string(frame.object->locals_v)
-                               : std::to_string(frame.input.curve->curve.points().size()) + " points";
-  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft), size,
-       Align::right);
+       scene::shape_kinds()[frame.shape().index()].label);
+  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft),
+       size_text(frame), Align::right);
   column.y += 30;
+}
+
+/// The measures of a model are what its card is for, where it stands alone.
+bool is_own_measure(const Frame& frame, const Parameter& parameter) {
+  const bool of_curve = std::holds_alternative<scene::ModelCurveObject>(frame.shape()) && parameter.group == "Curve";
+  const bool of_surface = std::holds_alternative<scene::ModelSurfaceObject>(frame.shape()) &&
+                          (parameter.id == "model" || parameter.id.starts_with("model."));
+  return (of_curve || of_surface) && !listed(first_rows, parameter.id) &&
+         scene::applies(frame.input.document, parameter);
 }
 
 void first_part(Frame& frame, Column& column) {
@@ -449,12 +355,15 @@ void first_part(Frame& frame, Column& column) {
     const Parameter* parameter = scene::find_parameter(id);
     if (!parameter || !scene::applies(frame.input.document, *parameter)) continue;
     // A row that most blending functions have no use for takes up no room.
-    if (id == "blending.parameter" && !why_disabled(frame, *parameter).empty()) continue;
+    const bool seldom = id == "blending.parameter" || id == "locals.degree";
+    if (seldom && !why_disabled(frame, *parameter).empty()) continue;
     if (id == "blending.function") column.y += 4;
     parameter_row(frame, column, *parameter, parameter->label);
   }
+  for (const Parameter& parameter : scene::parameters())
+    if (is_own_measure(frame, parameter)) parameter_row(frame, column, parameter, parameter.label);
   column.y += 2;
-  if (frame.object) plot_row(frame, column);
+  draw_rows(frame, column);
 }
 
 /// All rows of the table that have no place of their own, group by group; groups of switches first, as they are used most.
@@ -463,7 +372,7 @@ void other_parts(Frame& frame, Column& column) {
       std::span(clock_rows).first(frame.ui.touch ? phone_clock_rows : clock_rows.size());
   const auto other = [&](const Parameter& parameter) {
     return scene::applies(frame.input.document, parameter) && !listed(first_rows, parameter.id) &&
-           !listed(beside_clock, parameter.id);
+           !listed(beside_clock, parameter.id) && !is_own_measure(frame, parameter);
   };
   std::vector<std::string_view> groups;
   for (const bool switches : {true, false})
@@ -485,18 +394,6 @@ void other_parts(Frame& frame, Column& column) {
     if (!toggles.empty()) chip_rows(frame, column, toggles);
     for (const Parameter* row : rows) parameter_row(frame, column, *row, row->label);
   }
-}
-
-constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
-
-void begin(Frame& frame, const char* name, const Rect& rect, ImGuiWindowFlags flags) {
-  if (!(flags & ImGuiWindowFlags_NoInputs)) claim(frame, rect);
-  ImGui::SetNextWindowPos(rect.min());
-  ImGui::SetNextWindowSize({rect.width, rect.height});
-  ImGui::Begin(name, nullptr, plain | flags);
-  sharpen(frame.ui, *ImGui::GetWindowDrawList());
 }
 
 void card_background(Frame& frame, const Rect& card, float opacity) {
@@ -528,14 +425,14 @@ void card(Frame& frame) {
   Column column{rect.x + padding, rect.width - 2 * padding, top + 12};
   title_row(frame, column, 0);
   first_part(frame, column);
-  if (frame.object && frame.tall()) {
+  if (has_table(frame) && frame.tall()) {
     rule(frame, column, 6);
-    table(frame, column);
+    draw_table(frame, column);
   }
   rule(frame, column, 4);
   const float share = smooth(eased(frame.ui, frame.state.more_share, frame.state.show_more ? 1.0F : 0.0F, 0.15F));
-  if (fold_button(frame.ui, "more", {column.x, column.y, column.width, 28}, frame.object ? words::more : words::display,
-                  frame.state.show_more)) {
+  if (fold_button(frame.ui, "more", {column.x, column.y, column.width, 28},
+                  frame.has_clock() ? words::more : words::display, frame.state.show_more)) {
     frame.state.show_more = !frame.state.show_more;
     frame.ui.wants_frame = true;
   }
@@ -544,9 +441,9 @@ void card(Frame& frame) {
   float unfolded = folded;
   if (share > 0) {
     other_parts(frame, column);
-    if (frame.object && !frame.tall()) {
+    if (has_table(frame) && !frame.tall()) {
       heading(frame, column, words::domain);
-      table(frame, column);
+      draw_table(frame, column);
     }
     column.y += 10;
     unfolded = column.y - top;
@@ -600,9 +497,9 @@ void drawer(Frame& frame) {
   Column column{body.x + padding, body.width - 2 * padding, body.y - ImGui::GetScrollY() + 2};
   first_part(frame, column);
   other_parts(frame, column);
-  if (frame.object) {
+  if (has_table(frame)) {
     rule(frame, column, 8);
-    table(frame, column);
+    draw_table(frame, column);
   }
   column.y += 12;
   ImGui::SetCursorScreenPos({body.x, column.y});
@@ -613,55 +510,38 @@ void drawer(Frame& frame) {
   ImGui::End();
 }
 
-/// The curve's point that is selected.
-std::optional<int> selected_point(const Frame& frame) {
-  const std::optional<HandleIndex>& selected = frame.input.selected;
-  const bool point = selected && *selected != parameter_handle && frame.input.curve &&
-                     selected->first < frame.input.curve->curve.knots().count();
-  return point ? std::optional(selected->first) : std::nullopt;
+/// Undo, redo, what the figure's kind has, and the view; returns the width.
+float tools_width(const Frame& frame) {
+  return (frame.ui.touch ? 40.0F : 32.0F) * static_cast<float>(3 + tools_of(frame).size());
 }
 
 void tools(Frame& frame, float x, float middle) {
   PanelOutput& output = frame.output;
   const float size = frame.ui.touch ? 40.0F : 32.0F;
-  const auto place = [&](int k) { return Rect{x + size * static_cast<float>(k), middle - size / 2, size, size}; };
+  int count = 0;
+  const auto place = [&] { return Rect{x + size * static_cast<float>(count++), middle - size / 2, size, size}; };
   const PanelInput& input = frame.input;
-  output.undo = icon_button(frame.ui, "undo", place(0), Icon::undo, input.can_undo, words::undo);
-  output.redo = icon_button(frame.ui, "redo", place(1), Icon::redo, input.can_redo, words::redo);
-  int next = 2;
-  if (frame.object) {
-    output.reset_patches =
-        icon_button(frame.ui, "reset", place(next++), Icon::reset, !frame.object->edits.empty(), words::reset);
-  } else {
-    const bool point = selected_point(frame).has_value();
-    output.add_point = icon_button(frame.ui, "add", place(next++), Icon::add, point, words::add);
-    output.remove_point = icon_button(frame.ui, "remove", place(next++), Icon::remove, point, words::remove);
+  output.undo = icon_button(frame.ui, "undo", place(), Icon::undo, input.can_undo, words::undo);
+  output.redo = icon_button(frame.ui, "redo", place(), Icon::redo, input.can_redo, words::redo);
+  for (Tool& tool : tools_of(frame)) {
+    if (!icon_button(frame.ui, tool.id, place(), tool.icon, tool.enabled, tool.hint)) continue;
+    if (tool.command) output.commands.push_back(std::move(*tool.command));
+    if (!tool.key.empty()) output.keys.emplace_back(tool.key);
   }
-  output.frame_all = icon_button(frame.ui, "frame", place(next), Icon::frame, true, words::frame);
+  output.frame_all = icon_button(frame.ui, "frame", place(), Icon::frame, true, words::frame);
 }
 
-/// The foot of a curve's stage: its basis functions and knots, and below them the buttons.
-void strip(Frame& frame) {
+/// The figure's plot at the stage's foot, and below it the buttons where no clock has them.
+void figure_foot(Frame& frame) {
   const bool phone = frame.ui.touch;
+  const float height = strip_height(frame), top = frame.stage.height - frame.foot();
+  const bool buttons = !phone && !frame.has_clock();
+  if (height <= 0 && !buttons) return;
   const float margin = phone ? 30 : frame.stage.width >= wide_stage ? 62.0F : 46.0F;
-  const float top = frame.stage.height - frame.foot();
-  begin(frame, "strip", {0, top, frame.stage.width, frame.foot()},
+  begin(frame, "strip", {0, top, frame.stage.width, height + (buttons ? tools_height : 0.0F)},
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  const bool movable = std::holds_alternative<scene::BSplineCurveObject>(scene::stage_shape(frame.input.document));
-  const Rect place{margin, top, frame.stage.width - 2 * margin, strip_height(frame.stage) - 6};
-  const StripEvent event =
-      knot_strip(frame.ui, place, *frame.input.curve, movable, selected_point(frame), frame.state.knot);
-  if (event.taken) {
-    frame.output.begin_gesture = true;
-    frame.state.slider_held = true;
-  }
-  if (event.t) frame.output.commands.emplace_back(scene::SetParameter{"curve.parameter", *event.t});
-  if (event.knot) frame.output.commands.emplace_back(scene::SetKnot{event.knot->first, event.knot->second});
-  if (event.let_go && frame.state.slider_held) {
-    frame.output.end_gesture = true;
-    frame.state.slider_held = false;
-  }
-  if (!phone) tools(frame, frame.stage.width - 5 * 32.0F - 18, frame.stage.height - 26);
+  if (height > 0) draw_strip(frame, {margin, top, frame.stage.width - 2 * margin, height - 6});
+  if (buttons) tools(frame, frame.stage.width - tools_width(frame) - 18, frame.stage.height - 26);
   ImGui::End();
 }
 
@@ -682,7 +562,7 @@ void clock(Frame& frame) {
 
   float right = rect.x + rect.width;
   if (!phone) {
-    right -= 4 * 32.0F;
+    right -= tools_width(frame);
     tools(frame, right + 4, middle);
     right -= 10;
     const double pace = number(frame, *speed);
@@ -716,79 +596,12 @@ void labels(Frame& frame) {
   ImGui::End();
 }
 
-/// Of a curve: the parameter under the pointer, or else that of the construction; its interval, and how smooth the
-/// curve is where knots coincide.
-void curve_probe(Frame& frame, float left, float y) {
-  const Theme& theme = frame.input.theme;
-  const scene::CurveFigure& figure = *frame.input.curve;
-  const KnotVector& knots = figure.curve.knots();
-  const double t = frame.input.curve_t.value_or(figure.t);
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
-  text(frame.ui, Face::regular, {left + 74, y}, colour(theme.ink_soft),
-       "span " + std::to_string(knots.span(knots.reduced(t))));
-  for (const scene::CurveFigure::Mark& mark : figure.marks) {
-    const int multiplicity = mark.last - mark.first + 1;
-    if (!mark.inner || multiplicity < 2) continue;
-    y += 20;
-    text(frame.ui, Face::regular, {left, y}, colour(theme.accent),
-         "C" + superscript(knots.degree() - multiplicity) + " at t = " + text_of("%.2f", mark.t));
-  }
-}
-
-/// What is under the pointer: the point, its curvatures, and the weights of the locals at work, in their hues.
-void probe(Frame& frame) {
-  PanelState& state = frame.state;
-  const Theme& theme = frame.input.theme;
-  const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch && !state.drawer_open ? 56 : 22;
-  if (frame.input.probe) state.last_probe = frame.input.probe;
-  const float share = smooth(eased(frame.ui, state.probe_share, frame.input.probe ? 1.0F : 0.0F));
+/// What is selected and pointed at.
+void readout(Frame& frame) {
+  const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch && !frame.state.drawer_open ? 56 : 22;
   begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 140},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  float y = top + 8;
-  if (!frame.object) {
-    frame.output.readouts.push_back({0, 0, left + 132.0, top + 20.0});
-    curve_probe(frame, left, y);
-    ImGui::End();
-    return;
-  }
-  if (frame.input.selected) {
-    const scene::PatchIndex patch = *frame.input.selected;
-    const Colour hue = scene::patch_hue(scene::patch_hue_index(*frame.object, patch), theme.dark);
-    list.AddCircleFilled({left + 5, y}, 5, colour(hue));
-    text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-         std::string(words::selected) + " " + std::to_string(patch.first) + ", " + std::to_string(patch.second));
-    y += 26;
-  }
-  if (share > 0 && state.last_probe) {
-    const Probe& point = *state.last_probe;
-    // What is selected and what is pointed at are two things.
-    if (frame.input.selected) {
-      text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft, share),
-           frame.ui.touch ? words::tapped : words::pointed);
-      y += 18;
-    }
-    const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
-      text(frame.ui, face, {left, y}, colour(ink, share), first);
-      text(frame.ui, face, {left + 74, y}, colour(ink, share), second);
-      y += 20;
-    };
-    pair(Face::bold, theme.ink, "u " + text_of("%.3f", point.u), "v " + text_of("%.3f", point.v));
-    pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", point.gaussian), "H " + text_of("%.3f", point.mean));
-    y += 2;
-
-    // The bar is the partition of unity: its parts are the weights.
-    const float width = 148, height = 6;
-    float x = left, word = left;
-    for (const BlendingSurface::Weight& weight : point.weights) {
-      const Colour hue = scene::patch_hue(scene::patch_hue_index(*frame.object, {weight.i, weight.j}), theme.dark);
-      const float part = width * static_cast<float>(std::clamp(weight.value, 0.0, 1.0));
-      if (part > 0.25F) list.AddRectFilled({x, y - height / 2}, {x + part, y + height / 2}, colour(hue, share));
-      x += part;
-      text(frame.ui, Face::small, {word, y + 15}, colour(as_text(theme, hue), share), text_of("%.2f", weight.value));
-      word += 38;
-    }
-  }
+  draw_readout(frame, left, top + 8);
   ImGui::End();
 }
 
@@ -830,17 +643,19 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   // Whole pixels: a card at a fraction of one would blur all its text.
   const Rect stage{0, 0, static_cast<float>(std::floor(input.viewport.width)),
                    static_cast<float>(std::floor(input.viewport.height))};
-  Frame frame{state, input, output, ui, std::get_if<scene::BlendingSurfaceObject>(&scene::stage_shape(input.document)),
-              stage};
+  Frame frame{state, input, output, ui, stage};
 
   state.list_open = false;
   labels(frame);
-  probe(frame);
-  if (!input.phone || state.drawer_share < 1) frame.object ? clock(frame) : strip(frame);
+  readout(frame);
+  if (!input.phone || state.drawer_share < 1) {
+    figure_foot(frame);
+    if (frame.has_clock()) clock(frame);
+  }
   if (input.phone) {
     // Over an open drawer the little room there is belongs to the figure.
     if (!state.drawer_open) {
-      begin(frame, "tools", {8, 8, frame.object ? 168.0F : 208.0F, 44}, ImGuiWindowFlags_NoScrollbar);
+      begin(frame, "tools", {8, 8, tools_width(frame) + 8, 44}, ImGuiWindowFlags_NoScrollbar);
       tools(frame, 8, 30);
       ImGui::End();
     }

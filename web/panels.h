@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "knotwork/scene/commands.h"
-#include "knotwork/scene/surface_builder.h"
-#include "web/camera.h"
-#include "web/holding.h"
+#include "web/figure.h"
 #include "web/theme.h"
 
 namespace knotwork::web {
@@ -44,14 +42,13 @@ struct Probe {
 /// All that the panels show. They change nothing; what the reader asks for comes back as commands.
 struct PanelInput {
   const scene::Document& document;
-  const BlendingSurface* surface;  ///< one of the two, as the document's shape is
-  const scene::CurveFigure* curve;
+  const Figure& figure;
   const Theme& theme;
-  Viewport viewport;   ///< insets ignored
-  bool phone = false;  ///< narrow stage: the panel is a drawer
-  std::optional<Probe> probe;
-  std::optional<double> curve_t;  ///< the curve's parameter under the pointer
+  Viewport viewport;                  ///< insets ignored
+  bool phone = false;                 ///< narrow stage: the panel is a drawer
+  std::optional<glm::dvec2> pointed;  ///< the parameters under the pointer: (u, v), of a curve (t, 0)
   std::optional<HandleIndex> selected;
+  bool drawing = false;  ///< the next drag draws the figure's points
   bool can_undo = false, can_redo = false;
   bool reduced_motion = false;  ///< no easing of hover and switches
   std::vector<StageLabel> labels;
@@ -67,7 +64,7 @@ struct PanelState {
   float card_height = 0;            ///< as measured in the last frame, CSS pixels
   std::optional<Probe> last_probe;  ///< stays while it fades
   std::string last_notice;
-  KnotDrag knot;
+  KnotDrag knot, knot_v;     ///< in the one strip, or that of u and that of v
   bool slider_held = false;  ///< a gesture is open
   bool list_open = false;    ///< a list of choices, which Escape closes
   bool moving = false;       ///< the last frame was not the last of a transition
@@ -82,9 +79,9 @@ struct PanelState {
 struct PanelOutput {
   std::vector<scene::Command> commands;
   bool begin_gesture = false, end_gesture = false;  ///< a slider was taken, let go
-  bool undo = false, redo = false, frame_all = false, reset_patches = false;
-  bool add_point = false, remove_point = false;
-  bool wants_frame = false;  ///< something in the interface is still moving
+  bool undo = false, redo = false, frame_all = false;
+  std::vector<std::string> keys;  ///< buttons that do what a key does on the stage
+  bool wants_frame = false;       ///< something in the interface is still moving
   bool takes_wheel = false;  ///< the card or an open list is longer than its place: a plain wheel over it scrolls it
   std::vector<Widget> widgets;
   std::vector<std::array<double, 4>> readouts;  ///< take no pointers, but the picture keeps clear of them

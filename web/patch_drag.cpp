@@ -23,24 +23,13 @@ constexpr double least_screen_axis = 6;   // CSS pixels
 constexpr double parallel = 0.002;
 constexpr double longest_move = 100;  // times the eye's distance from the handle
 
-glm::dvec3 model_centre(const BlendingSurface& surface, scene::PatchIndex patch) {
-  const Eigen::Vector2d uv = surface.centre(patch.first, patch.second);
-  return to_glm(evaluate(surface.model(), uv.x(), uv.y()).s);
-}
-
-/// What the animation adds to the handle's place; independent of the edit.
-glm::dvec3 motion_offset(const PatchScene& scene, const glm::dmat3& frame, scene::PatchIndex patch) {
-  const scene::PatchMotion motion = scene::patch_motion(scene.animation, patch);
-  return frame * to_glm(motion.own_translation) + to_glm(motion.model_translation);
-}
-
 Eigen::Vector3d limited(const Eigen::Vector3d& translation) {
   return translation.cwiseMax(-scene::max_coordinate).cwiseMin(scene::max_coordinate);
 }
 
 double rounded_to(double x, double step) { return std::round(x / step) * step; }
 
-void anchor_move(PatchDrag& drag, const PatchScene& scene, bool along_axis) {
+void anchor_move(PatchDrag& drag, const LocalScene& scene, bool along_axis) {
   drag.along_axis = along_axis;
   drag.anchor = drag.position;
   drag.anchor_pointer = drag.pointer;
@@ -73,7 +62,7 @@ std::optional<glm::dvec3> on_line(const PatchDrag& drag, const View& view, glm::
   return drag.anchor + s * drag.axis;
 }
 
-void move(PatchDrag& drag, const PatchScene& scene, glm::dvec2 pointer, bool along_axis) {
+void move(PatchDrag& drag, const LocalScene& scene, glm::dvec2 pointer, bool along_axis) {
   // Anchored at the last pointer, so that pressing or releasing Shift alone moves nothing.
   if (along_axis != drag.along_axis) anchor_move(drag, scene, along_axis);
   const std::optional<glm::dvec3> place =
@@ -114,7 +103,7 @@ bool grabbed_behind(const PatchDrag& drag, const View& view, int axis, double si
   return behind;
 }
 
-void hold_ring(PatchDrag& drag, const PatchScene& scene, int axis) {
+void hold_ring(PatchDrag& drag, const LocalScene& scene, int axis) {
   const View& view = scene.view;
   const glm::dvec3& normal = drag.axes[axis];
   const glm::dvec3 sight = glm::normalize(drag.origin - view.eye);
@@ -135,7 +124,7 @@ void hold_ring(PatchDrag& drag, const PatchScene& scene, int axis) {
   if (grabbed_behind(drag, view, axis, size)) drag.screen_axis = -drag.screen_axis;
 }
 
-void hold_knob(PatchDrag& drag, const PatchScene& scene, GizmoPart part) {
+void hold_knob(PatchDrag& drag, const LocalScene& scene, GizmoPart part) {
   const View& view = scene.view;
   const std::optional<glm::dvec3> origin = view.project(drag.origin);
   if (!origin) return;
@@ -149,7 +138,7 @@ void hold_knob(PatchDrag& drag, const PatchScene& scene, GizmoPart part) {
   drag.screen_length = std::max(glm::dot(arm, drag.screen_axis), least_scale_arm);
 }
 
-Eigen::Quaterniond turned(PatchDrag& drag, const PatchScene& scene, glm::dvec2 pointer, bool snap) {
+Eigen::Quaterniond turned(PatchDrag& drag, const LocalScene& scene, glm::dvec2 pointer, bool snap) {
   const int axis = gizmo_axis(*drag.part);
   if (drag.by_tangent) {
     drag.angle = glm::dot(pointer - drag.pointer_at_start, drag.screen_axis) / drag.screen_length;
@@ -181,52 +170,40 @@ Eigen::Vector3d scaled(const PatchDrag& drag, glm::dvec2 pointer, bool snap) {
 
 }  // namespace
 
-scene::PatchEdit edit_of(const scene::BlendingSurfaceObject& object, scene::PatchIndex patch) {
-  const auto found = object.edits.find(patch);
-  return found == object.edits.end() ? scene::PatchEdit{} : found->second;
-}
-
-glm::dvec3 document_origin(const PatchScene& scene, scene::PatchIndex patch) {
-  const glm::dmat3 frame = to_glm_matrix(scene::patch_frame(scene.surface, patch));
-  return model_centre(scene.surface, patch) + frame * to_glm(edit_of(scene.object, patch).translation) +
-         motion_offset(scene, frame, patch);
-}
-
-PatchDrag take_hold(const PatchScene& scene, scene::PatchIndex patch, std::optional<GizmoPart> part,
+PatchDrag take_hold(const LocalScene& scene, scene::PatchIndex patch, std::optional<GizmoPart> part,
                     glm::dvec2 pointer) {
   PatchDrag drag;
   drag.patch = patch;
   drag.part = part;
-  drag.edit_at_start = edit_of(scene.object, patch);
+  drag.edit_at_start = scene.local.edit;
   drag.pointer_at_start = drag.pointer = pointer;
-  drag.origin = drag.position = document_origin(scene, patch);
-  drag.axes = gizmo_axes(scene.surface, scene.object, patch);
+  drag.origin = drag.position = to_glm(scene::local_origin(scene.local));
+  drag.axes = to_glm_matrix(scene::turned_axes(scene.local));
   // The arrow is drawn along the turned normal and moves along it; Shift goes out of the surface that is unmoved.
-  drag.axis = part ? drag.axes[2] : to_glm_matrix(scene::patch_frame(scene.surface, patch))[2];
+  drag.axis = part ? drag.axes[2] : to_glm_matrix(scene.local.axes)[2];
   anchor_move(drag, scene, part == GizmoPart::move_normal);
   if (part && turns(*part)) hold_ring(drag, scene, gizmo_axis(*part));
   if (part && scales(*part)) hold_knob(drag, scene, *part);
   return drag;
 }
 
-scene::PatchEdit drag_to(PatchDrag& drag, const PatchScene& scene, glm::dvec2 pointer, bool shift) {
-  scene::PatchEdit edit = edit_of(scene.object, drag.patch);
+scene::PatchEdit drag_to(PatchDrag& drag, const LocalScene& scene, glm::dvec2 pointer, bool shift) {
+  scene::PatchEdit edit = scene.local.edit;
   if (drag.part && turns(*drag.part)) {
     edit.rotation = turned(drag, scene, pointer, shift);
   } else if (drag.part && scales(*drag.part)) {
     edit.scale = scaled(drag, pointer, shift);
   } else {
     move(drag, scene, pointer, drag.part ? true : shift);
-    edit = moved_by(scene, drag.patch, drag.position - document_origin(scene, drag.patch));
+    edit = moved_by(scene.local, drag.position - to_glm(scene::local_origin(scene.local)));
   }
   drag.pointer = pointer;
   return edit;
 }
 
-scene::PatchEdit moved_by(const PatchScene& scene, scene::PatchIndex patch, glm::dvec3 offset) {
-  scene::PatchEdit edit = edit_of(scene.object, patch);
-  const Eigen::Matrix3d frame = scene::patch_frame(scene.surface, patch);
-  edit.translation = limited(edit.translation + frame.transpose() * to_eigen(offset));
+scene::PatchEdit moved_by(const scene::LocalFrame& local, glm::dvec3 offset) {
+  scene::PatchEdit edit = local.edit;
+  edit.translation = limited(edit.translation + local.axes.transpose() * to_eigen(offset));
   return edit;
 }
 

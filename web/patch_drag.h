@@ -2,23 +2,19 @@
 
 #include <optional>
 
-#include "knotwork/scene/motion.h"
-#include "knotwork/scene/surface_builder.h"
+#include "knotwork/scene/local_frame.h"
 #include "web/camera.h"
 #include "web/gizmo.h"
 
 namespace knotwork::web {
 
-/// What a drag of a patch looks at. The surface gives knots and model only: its local maps may be a frame behind the
-/// document, as several pointer events can come between two frames.
-struct PatchScene {
-  const scene::BlendingSurfaceObject& object;
-  const scene::Animation& animation;
-  const BlendingSurface& surface;
+/// What a drag looks at: the local patch or local curve as the document has it now, and the view.
+struct LocalScene {
+  scene::LocalFrame local;
   const View& view;
 };
 
-/// A patch held by its handle or by a part of its gizmo, and what the hold has come to so far.
+/// A local patch (i, j) or local curve (k, 0) held by its handle or by a part of its gizmo, and what the hold has come to so far.
 struct PatchDrag {
   scene::PatchIndex patch{0, 0};
   std::optional<GizmoPart> part;  ///< nothing: the handle
@@ -41,23 +37,17 @@ struct PatchDrag {
   double screen_length = 1;          ///< CSS pixels: a radian of a ring, or from the origin to the pointer at the start
 };
 
-/// Where the document puts the handle of a patch: M_ij (0,0,0), edit and motion included.
-glm::dvec3 document_origin(const PatchScene& scene, scene::PatchIndex patch);
-
 /// A hold that has not moved yet.
-PatchDrag take_hold(const PatchScene& scene, scene::PatchIndex patch, std::optional<GizmoPart> part,
+PatchDrag take_hold(const LocalScene& scene, scene::PatchIndex patch, std::optional<GizmoPart> part,
                     glm::dvec2 pointer);
 
-/// The patch's edit with the pointer there, the rest of it as the document has it. A handle moves in the plane through
+/// The edit with the pointer there, the rest of it as the document has it. A handle moves in the plane through
 /// it parallel to the screen, with Shift along the unturned normal; what the animation adds is made up for, so that the
 /// handle stays under the pointer. Shift snaps turns to 15 degrees and scales to quarters. Where the pointer has no
 /// meaning (beyond a vanishing point) the last place counts.
-scene::PatchEdit drag_to(PatchDrag& drag, const PatchScene& scene, glm::dvec2 pointer, bool shift);
+scene::PatchEdit drag_to(PatchDrag& drag, const LocalScene& scene, glm::dvec2 pointer, bool shift);
 
 /// The edit with its handle moved by `offset` in model space; each coordinate stays in the document's limits.
-scene::PatchEdit moved_by(const PatchScene& scene, scene::PatchIndex patch, glm::dvec3 offset);
-
-/// The edit of a patch in the document, the identity if it has none.
-scene::PatchEdit edit_of(const scene::BlendingSurfaceObject& object, scene::PatchIndex patch);
+scene::PatchEdit moved_by(const scene::LocalFrame& local, glm::dvec3 offset);
 
 }  // namespace knotwork::web

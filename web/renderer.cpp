@@ -73,6 +73,7 @@ struct Renderer::Resources {
   DrawProgram background, surface, sheet, shadow, blur, ground, ribbon, disc;
   std::array<Texture, 7> tables;
   glm::ivec2 maps_size{0}, hues_size{0};
+  bool sampled = false;  ///< the tables are those of an evaluated surface
   int columns = 0, rows = 0;
   glm::ivec2 steps{1};
   Buffer surface_indices, sheet_indices, instances;
@@ -85,10 +86,23 @@ struct Renderer::Resources {
   void bind_tables(const DrawProgram& program) const {
     for (std::size_t unit = 0; unit < tables.size(); ++unit) {
       glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      glBindTexture(GL_TEXTURE_2D, tables[unit].get());
+      // What an evaluated surface has no use for must still be a texture.
+      const bool needed = !sampled || unit < 2 || unit == 6;
+      glBindTexture(GL_TEXTURE_2D, tables[needed ? unit : 0].get());
       program.set(table_samplers[unit], static_cast<int>(unit));
     }
     glActiveTexture(GL_TEXTURE0);
+    program.set("u_sampled", sampled ? 1 : 0);
+  }
+
+  /// The triangles of a grid of vertices.
+  static GLsizei upload_indices(const VertexArray& array, int columns, int rows) {
+    const std::vector<std::uint32_t> triangles = grid_indices(columns, rows, false, false);
+    glBindVertexArray(array.get());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(std::uint32_t)),
+                 triangles.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    return static_cast<GLsizei>(triangles.size());
   }
 };
 
@@ -173,19 +187,39 @@ void Renderer::upload(const BlendingTables& tables) {
   gl_->tables[4] = make_float_texture(tables.rows, 1, tables.blend_v);
   count(3 * tables.points.size() + tables.blend_u.size() + tables.blend_v.size());
 
-  const auto indices = [&count](const VertexArray& array, int columns, int rows) {
-    const std::vector<std::uint32_t> triangles = grid_indices(columns, rows, false, false);
-    glBindVertexArray(array.get());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(std::uint32_t)),
-                 triangles.data(), GL_STATIC_DRAW);
-    glBindVertexArray(0);
-    count(triangles.size());
-    return static_cast<GLsizei>(triangles.size());
-  };
-  gl_->surface_index_count = indices(gl_->surface_array, tables.columns, tables.rows);
+  gl_->surface_index_count = Resources::upload_indices(gl_->surface_array, tables.columns, tables.rows);
   gl_->steps = {tables.steps_u, tables.steps_v};
-  gl_->sheet_index_count = indices(gl_->sheet_array, 2 * tables.steps_u + 1, 2 * tables.steps_v + 1);
+  gl_->sheet_index_count = Resources::upload_indices(gl_->sheet_array, 2 * tables.steps_u + 1, 2 * tables.steps_v + 1);
+  count(static_cast<std::size_t>(gl_->surface_index_count) + static_cast<std::size_t>(gl_->sheet_index_count));
+  gl_->sampled = false;
   gl_->shadow_stale = true;
+}
+
+void Renderer::upload(const SurfaceTables& tables) {
+  const bool same_grid = gl_->sampled && gl_->columns == tables.columns && gl_->rows == tables.rows;
+  const std::array<const std::vector<float>*, 2> parts{&tables.points, &tables.normals};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (same_grid)
+      update_float_texture(gl_->tables[k], tables.rows, tables.columns, *parts[k]);
+    else
+      gl_->tables[k] = make_float_texture(tables.rows, tables.columns, *parts[k]);
+    stats_.upload_bytes += 4.0 * static_cast<double>(parts[k]->size());
+  }
+  if (!same_grid) {
+    gl_->surface_index_count = Resources::upload_indices(gl_->surface_array, tables.columns, tables.rows);
+    stats_.upload_bytes += 4.0 * static_cast<double>(gl_->surface_index_count);
+  }
+  gl_->columns = tables.columns;
+  gl_->rows = tables.rows;
+  gl_->steps = {tables.steps_u, tables.steps_v};
+  gl_->sampled = true;
+  gl_->shadow_stale = true;
+}
+
+void Renderer::upload_colours(const std::vector<float>& texels, int columns, int rows) {
+  gl_->tables[6] = make_float_texture(rows, columns, texels);
+  gl_->hues_size = {rows, columns};
+  stats_.upload_bytes += 4.0 * static_cast<double>(texels.size());
 }
 
 void Renderer::upload_maps(const std::vector<float>& maps, int locals_u, int locals_v) {
@@ -218,7 +252,7 @@ void Renderer::draw(const Picture& picture) {
   const View& view = picture.view;
   const glm::mat4 view_projection(view.projection * view.view);
   const auto ratio = static_cast<float>(view.viewport.pixel_ratio);
-  const bool uploaded = gl_->surface_index_count > 0 && gl_->maps_size.x > 0 && gl_->hues_size.x > 0;
+  const bool uploaded = gl_->surface_index_count > 0 && (gl_->sampled || gl_->maps_size.x > 0) && gl_->hues_size.x > 0;
   const bool drawable = picture.surface && uploaded, lit = drawable && picture.display.surface;
   if (lit) draw_shadow(picture);
 
@@ -286,13 +320,10 @@ void Renderer::draw(const Picture& picture) {
     program.set("u_wireframe", picture.display.wireframe ? 0.34F : 0.0F);
     program.set("u_line_colour", picture.theme.dark ? glm::vec3(0.05F, 0.06F, 0.07F) : glm::vec3(0.12F, 0.13F, 0.15F));
     program.set("u_pixel_ratio", ratio);
-    const glm::vec2 period(picture.closed_u ? static_cast<float>(picture.locals_u) : 0.0F,
-                           picture.closed_v ? static_cast<float>(picture.locals_v) : 0.0F);
-    program.set("u_knot_period", period);
-    const scene::PatchIndex held = picture.held.value_or(scene::PatchIndex{0, 0});
-    const auto cell = [](int index) { return glm::vec2(static_cast<float>(index - 1), static_cast<float>(index + 1)); };
-    program.set("u_held_cells", glm::vec4(cell(held.first), cell(held.second)));
-    program.set("u_held", picture.held ? 1.0F : 0.0F);
+    program.set("u_knot_period", picture.knot_period);
+    program.set("u_held_cells", picture.support.value_or(glm::vec4(0)));
+    program.set("u_held", picture.support ? 1.0F : 0.0F);
+    program.set("u_back_shade", picture.one_sided ? 0.0F : 1.0F);
     glBindVertexArray(gl_->surface_array.get());
     glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
     ++stats_.draw_calls;
@@ -301,7 +332,12 @@ void Renderer::draw(const Picture& picture) {
 
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
-  if (drawable && (picture.display.local_patches || picture.held)) draw_sheets(picture);
+  if (drawable && !gl_->sampled && (picture.display.local_patches || picture.held)) draw_sheets(picture);
+  if (lit) {
+    glDepthFunc(GL_GREATER);
+    draw_ribbons(picture, picture.hidden_ribbons);
+    glDepthFunc(GL_LEQUAL);
+  }
   draw_ribbons(picture, picture.ribbons);
   draw_overlay(picture);
   glDepthMask(GL_TRUE);
@@ -364,6 +400,7 @@ void Renderer::draw_sheets(const Picture& picture) {
   program.set("u_last", last);
   program.set("u_locals", glm::ivec2(picture.locals_u, picture.locals_v));
   program.set("u_closed", glm::ivec2(picture.closed_u ? 1 : 0, picture.closed_v ? 1 : 0));
+  program.set("u_mirror", picture.mirror * gl_->steps);
   program.set("u_eye", glm::vec3(view.eye));
   program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
   program.set("u_pixel_size", pixel_size_at_target(picture));

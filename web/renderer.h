@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "knotwork/mesh/blending_tables.h"
+#include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/document.h"
 #include "web/camera.h"
 #include "web/theme.h"
@@ -44,9 +45,16 @@ struct Picture {
   Floor floor;
   int locals_u = 1, locals_v = 1;           ///< of the maps uploaded last
   bool closed_u = false, closed_v = false;  ///< wraps on the stage
-  std::optional<scene::PatchIndex> held;    ///< its support is lit, its own sheet is shown
-  std::vector<Ribbon> ribbons;              ///< frames, normals, curves in this order: hidden by the surface
-  std::vector<Ribbon> overlay_ribbons;      ///< the gizmo: faint where hidden
+  /// Local k of u becomes mirror.x - k where v goes round a twisted seam, of v mirror.y - k where u does; -1: no twist.
+  glm::ivec2 mirror{-1};
+  std::optional<scene::PatchIndex> held;  ///< its own sheet is shown
+  /// What is lit of the surface, in intervals of its knot lines: u from, to, v from, to. A closed direction goes round.
+  std::optional<glm::vec4> support;
+  glm::vec2 knot_period{0};             ///< number of intervals of a closed direction, 0 of an open one
+  bool one_sided = false;               ///< both sides look the same: which is the back depends on where one began
+  std::vector<Ribbon> ribbons;          ///< frames, normals, curves in this order: hidden by the surface
+  std::vector<Ribbon> hidden_ribbons;   ///< drawn only where the surface hides them
+  std::vector<Ribbon> overlay_ribbons;  ///< the gizmo: faint where hidden
   std::vector<Disc> discs, overlay_discs;
 };
 
@@ -72,6 +80,10 @@ class Renderer {
 
   /// New topology, resolution or model: the static part and its indices.
   void upload(const BlendingTables& tables);
+  /// A surface of another kind, evaluated on the CPU: its points and normals, in place of the blending surface's tables.
+  void upload(const SurfaceTables& tables);
+  /// Its colours, OKLab 0 a vertex.
+  void upload_colours(const std::vector<float>& texels, int columns, int rows);
   /// The moving part: 12 floats a local.
   void upload_maps(const std::vector<float>& maps, int locals_u, int locals_v);
   /// OKLab of each local's hue, from sRGB colours.

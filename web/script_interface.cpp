@@ -7,8 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "knotwork/scene/blending_curve_figure.h"
 #include "knotwork/scene/chapters.h"
+#include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/document_json.h"
+#include "knotwork/scene/later.h"
 #include "knotwork/scene/surface_builder.h"
 
 namespace knotwork::web {
@@ -80,28 +83,37 @@ Json direction(const scene::DirectionSummary& summary, const char* letter) {
   return json;
 }
 
-const char* shape_name(const scene::BlendingSurfaceObject& object) {
+std::string_view shape_name(const scene::BlendingSurfaceObject& object) {
   const bool u = object.topology_u == Topology::closed, v = object.topology_v == Topology::closed;
-  switch (scene::model_kind(object.model)) {
-    case scene::ModelKind::plane:
-      return "plane";
-    case scene::ModelKind::cylinder:
-      return "cylinder";
-    case scene::ModelKind::torus:
-      return "torus";
-    case scene::ModelKind::sheet:
-      return u && v ? "torus" : u || v ? "cylinder" : "plane";
-  }
-  return "";
+  if (const scene::ModelKind kind = scene::model_kind(object.model); kind != scene::ModelKind::sheet)
+    return scene::model_row(kind).id;
+  return u && v ? "torus" : u || v ? "cylinder" : "plane";
 }
 
-std::string curve_at(const scene::Shape& shape, std::span<const double> at, int order) {
-  constexpr int most = 16;
-  if (order < 0 || order > most) return refusal({"order", "The order of derivatives is from 0 to 16."});
+/// The highest derivative that a curve gives.
+int highest_order(const scene::Shape& shape) {
+  const bool of_catalogue = std::holds_alternative<scene::ModelCurveObject>(shape) ||
+                            std::holds_alternative<scene::BlendingCurveObject>(shape);
+  return of_catalogue ? BlendingCurve::max_order : max_bezier_degree;
+}
+
+void evaluate_curve(const scene::Shape& shape, const scene::Animation& animation, double t,
+                    std::span<Eigen::Vector3d> out) {
+  if (const auto* model = std::get_if<scene::ModelCurveObject>(&shape)) return evaluate(model->model, t, out);
+  if (const auto* blending = std::get_if<scene::BlendingCurveObject>(&shape))
+    return scene::build_curve(*blending, animation).evaluate(t, out);
+  scene::spline_of(shape).evaluate(t, out);
+}
+
+KNOTWORK_LATER std::string curve_at(const scene::Shape& shape, const scene::Animation& animation,
+                                    std::span<const double> at, int order) {
+  const int most = highest_order(shape);
+  if (order < 0 || order > most)
+    return refusal({"order", "The order of derivatives is from 0 to " + std::to_string(most) + "."});
   if (at.size() != 1 || !std::isfinite(at[0]))
     return refusal({"parameter", "A curve is evaluated at t, a finite number."});
   std::vector<Eigen::Vector3d> derivatives(static_cast<std::size_t>(order) + 1);
-  scene::spline_of(shape).evaluate(at[0], derivatives);
+  evaluate_curve(shape, animation, at[0], derivatives);
   Json list = Json::array();
   for (const Eigen::Vector3d& derivative : derivatives) list.push_back(array(derivative));
   return answer(std::move(list));
@@ -131,7 +143,9 @@ std::string answer_parameters(const App& app) {
     const scene::Limits range = scene::range_of(app.document(), parameter);
     row["min"] = numeric ? Json(range.min) : Json();
     row["max"] = numeric ? Json(range.max) : Json();
-    row["softMax"] = numeric ? Json(std::min(parameter.soft_max, range.max)) : Json();
+    const scene::Limits soft = scene::soft_range_of(app.document(), parameter);
+    row["softMin"] = numeric ? Json(soft.min) : Json();
+    row["softMax"] = numeric ? Json(soft.max) : Json();
     row["step"] = numeric ? Json(parameter.step) : Json();
     row["unit"] = parameter.unit;
     Json choices = Json::array();
@@ -144,7 +158,7 @@ std::string answer_parameters(const App& app) {
     }
     row["choices"] = std::move(choices);
     row["value"] = value_json(parameter.get(app.document()));
-    row["disabled"] = parameter.disabled != nullptr ? parameter.disabled(app.document()) : std::string();
+    row["disabled"] = parameter.disabled ? parameter.disabled(app.document()) : std::string();
     rows.push_back(std::move(row));
   }
   return answer(std::move(rows));
@@ -187,13 +201,15 @@ std::string answer_evaluate(const App& app, std::string_view object, std::span<c
       std::find_if(objects.begin(), objects.end(), [&](const scene::Object& o) { return o.id == object; });
   if (found == objects.end())
     return refusal({"object", "There is no object \"" + std::string(object) + "\" in the document."});
-  if (!std::holds_alternative<scene::BlendingSurfaceObject>(found->shape)) return curve_at(found->shape, at, order);
+  const bool curve = !std::holds_alternative<scene::BlendingSurfaceObject>(found->shape) &&
+                     !std::holds_alternative<scene::BSplineSurfaceObject>(found->shape) &&
+                     !std::holds_alternative<scene::ModelSurfaceObject>(found->shape);
+  if (curve) return curve_at(found->shape, app.document().animation, at, order);
   if (order < 0 || order > 2) return refusal({"order", "The order of derivatives is 0, 1 or 2."});
   if (at.size() != 2 || !std::isfinite(at[0]) || !std::isfinite(at[1]))
     return refusal({"parameter", "A surface is evaluated at [u, v], two finite numbers."});
-  const BlendingSurface surface =
-      scene::build_surface(std::get<scene::BlendingSurfaceObject>(found->shape), app.document().animation);
-  const SurfaceJet jet = surface.evaluate(at[0], at[1]);
+  const Figure figure = make_figure(found->shape, app.document().animation);
+  const SurfaceJet jet = surface_of(figure)->evaluate(at[0], at[1]);
   Json json = Json::object();
   json["S"] = array(jet.s);
   if (order >= 1) {
@@ -252,6 +268,8 @@ std::string answer_chapters() {
 
 std::string answer_open(App& app, std::string_view chapter) { return answer(app.open_chapter(chapter)); }
 
+std::string answer_points(App& app, std::string_view text) { return answer(app.take_points(text)); }
+
 std::string answer_select(App& app, std::string_view handle) {
   if (handle.empty()) {
     app.select(std::nullopt);
@@ -272,6 +290,7 @@ std::string answer_state(const App& app) {
   json["redoLabel"] = app.history().redo_label();
   json["notice"] = app.notice();
   json["selected"] = app.selected() ? handle_id(shape, *app.selected()) : std::string();
+  json["points"] = scene::is_made_from_list(shape) ? Json(scene::curve_points(shape).size()) : Json();
   json["surface"] = Json();
   if (app.shows_surface()) {
     const BlendingSurface surface = app.surface_at_rest();

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "knotwork/later.h"
 #include "web/app.h"
 
 namespace knotwork::web {
@@ -12,13 +13,14 @@ namespace knotwork::web {
 // {"error": {"message", "path"}}. An error has changed nothing.
 
 std::string answer_document(const App& app);
-std::string answer_load(App& app, std::string_view json);
+KNOTWORK_LATER std::string answer_load(App& app, std::string_view json);
 std::string answer_parameters(const App& app);
 std::string answer_set(App& app, std::string_view id, const scene::ParameterValue& value);
 std::string answer_handles(App& app);
 std::string answer_widgets(const App& app);
 /// At t of a curve, at u and v of a surface.
-std::string answer_evaluate(const App& app, std::string_view object, std::span<const double> at, int order);
+KNOTWORK_LATER std::string answer_evaluate(const App& app, std::string_view object, std::span<const double> at,
+                                           int order);
 std::string answer_play(App& app, bool playing);
 std::string answer_seek(App& app, double seconds);
 std::string answer_undo(App& app);
@@ -26,6 +28,8 @@ std::string answer_redo(App& app);
 std::string answer_stats(const App& app);
 std::string answer_chapters();
 std::string answer_open(App& app, std::string_view chapter);
+/// Points as text take the place of those of the figure on the stage.
+KNOTWORK_LATER std::string answer_points(App& app, std::string_view text);
 std::string answer_select(App& app, std::string_view handle);
 
 /// What the page beside the stage shows (bridge.h, knotwork_state).

@@ -35,7 +35,7 @@ Colour part_colour(GizmoPart part, const Theme& theme) {
 
 }  // namespace
 
-void add_handles(Picture& picture, const std::vector<Handle>& handles, const scene::BlendingSurfaceObject& object,
+void add_handles(Picture& picture, std::span<const Handle> handles, const scene::BlendingSurfaceObject& object,
                  const InteractionState& state) {
   const Theme& theme = picture.theme;
   const Colour white = theme.dark ? Colour{0.93F, 0.92F, 0.90F} : Colour{1, 1, 1};
@@ -65,7 +65,10 @@ void add_handles(Picture& picture, const std::vector<Handle>& handles, const sce
 
 void add_gizmo(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object,
                const InteractionState& state) {
-  const Gizmo gizmo = make_gizmo(surface, object, *state.selected, picture.view);
+  add_gizmo_strokes(picture, make_gizmo(surface, object, *state.selected, picture.view), state);
+}
+
+void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionState& state) {
   const bool dragging = state.drag == InteractionState::Drag::gizmo;
   for (const GizmoStroke& stroke : gizmo.strokes) {
     const bool strong = dragging ? state.drag_part == stroke.part : state.hovered_part == stroke.part;
@@ -111,11 +114,12 @@ void add_patch_frames(Picture& picture, const BlendingSurface& surface, const sc
   }
 }
 
-void add_normals(Picture& picture, const BlendingSurface& surface) {
-  const int cells = surface.knots_u().interval_count() * surface.knots_v().interval_count();
-  const int steps = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most_hairs) / cells)), 1, 5);
-  const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), steps * surface.knots_u().interval_count(),
-                                      steps * surface.knots_v().interval_count(), Seam::joined);
+void add_normals(Picture& picture, const KnottedSurface& surface) {
+  const int cells_u = surface.knots_u->interval_count(), cells_v = surface.knots_v->interval_count();
+  const int steps =
+      std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most_hairs) / (cells_u * cells_v))), 1, 5);
+  const SampleGrid grid =
+      sample_grid(*surface.knots_u, *surface.knots_v, steps * cells_u, steps * cells_v, Seam::joined);
   std::vector<SurfaceJet> jets(grid.u.size() * grid.v.size());
   surface.evaluate_grid(grid.u, grid.v, jets);
   const Colour colour = picture.theme.ink;
@@ -125,6 +129,30 @@ void add_normals(Picture& picture, const BlendingSurface& surface) {
     const glm::dvec3 tip = foot + length * to_glm(unit_normal(jet));
     picture.ribbons.push_back({glm::vec3(foot), glm::vec3(tip), with_alpha(colour, 0.6F), 1.1F});
   }
+}
+
+void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& look) {
+  const BlendingSurface& surface = figure.surface;
+  const scene::BlendingSurfaceObject& object = scene::blending_surface(look.document);
+  picture.surface = true;
+  picture.locals_u = surface.knots_u().count();
+  picture.locals_v = surface.knots_v().count();
+  picture.closed_u = surface.knots_u().closed();
+  picture.mirror = {surface.twist_v() ? surface.twist_v()->mirror : -1,
+                    surface.twist_u() ? surface.twist_u()->mirror : -1};
+  picture.closed_v = surface.knots_v().closed();
+  picture.held = look.state.selected;
+  picture.knot_period = {picture.closed_u ? static_cast<float>(picture.locals_u) : 0.0F,
+                         picture.closed_v ? static_cast<float>(picture.locals_v) : 0.0F};
+  if (picture.held) {
+    const glm::vec2 held(static_cast<float>(picture.held->first), static_cast<float>(picture.held->second));
+    picture.support = glm::vec4(held.x - 1, held.x + 1, held.y - 1, held.y + 1);
+  }
+  if (picture.display.frames) add_patch_frames(picture, surface, object);
+  if (picture.display.normals) add_normals(picture, knotted_surface(surface));
+  if (!picture.display.handles) return;
+  add_handles(picture, look.handles, object, look.state);
+  if (look.state.selected && !look.rolling) add_gizmo(picture, surface, object, look.state);
 }
 
 Probe probe_at(const BlendingSurface& surface, double u, double v) {

@@ -1,26 +1,32 @@
 #pragma once
 
-#include "web/interaction.h"
-#include "web/panels.h"
-#include "web/renderer.h"
+#include "web/figure_picture.h"
 
 namespace knotwork::web {
 
 // What is drawn on and about the surface, as plain ribbons and discs added to a picture.
 
 /// Handles: white discs with a rim in the patch's hue; the selected one in accent, the hovered one larger.
-void add_handles(Picture& picture, const std::vector<Handle>& handles, const scene::BlendingSurfaceObject& object,
+void add_handles(Picture& picture, std::span<const Handle> handles, const scene::BlendingSurfaceObject& object,
                  const InteractionState& state);
 
 /// The gizmo round the selected handle, the part under the pointer or held drawn stronger.
 void add_gizmo(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object,
                const InteractionState& state);
 
+void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionState& state);
+
 /// Each local patch's own frame: its u, v and normal axes as short arrows.
 void add_patch_frames(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object);
 
 /// Unit normals of the surface as thin hairs on a regular grid of each knot interval.
-void add_normals(Picture& picture, const BlendingSurface& surface);
+void add_normals(Picture& picture, const KnottedSurface& surface);
+
+/// The surface itself, its handles and what display asks for.
+void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& look);
+inline std::vector<StageLabel> labels_of(const BlendingFigure&, std::span<const Handle>, const View&, const Theme&) {
+  return {};
+}
 
 /// What the probe shows at a point of the surface.
 Probe probe_at(const BlendingSurface& surface, double u, double v);

@@ -2,6 +2,8 @@
 set(KNOTWORK_WEB_LOGIC_SOURCES
   camera.cpp
   composition.cpp
+  figure.cpp
+  freehand.cpp
   gizmo.cpp
   holding.cpp
   interaction.cpp
@@ -11,17 +13,36 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
 # The browser's part.
 set(KNOTWORK_WEB_APP_SOURCES
   app.cpp
+  blending_curve_ornaments.cpp
+  blending_curve_panel.cpp
+  blending_panel.cpp
   bridge.cpp
   curve_ornaments.cpp
+  curve_panel.cpp
+  figure_panel.cpp
+  figure_picture.cpp
+  fit_ornaments.cpp
+  fit_panel.cpp
   gl_objects.cpp
   interface_style.cpp
   interface_widgets.cpp
   knot_strip.cpp
+  log_plot.cpp
   main.cpp
+  model_curve_ornaments.cpp
+  model_curve_panel.cpp
+  model_ornaments.cpp
+  model_panel.cpp
+  net_ornaments.cpp
+  net_panel.cpp
+  panel_frame.cpp
   panels.cpp
+  plot.cpp
   renderer.cpp
   script_interface.cpp
-  stage_ornaments.cpp)
+  stage_ornaments.cpp
+  subdivision_ornaments.cpp
+  subdivision_panel.cpp)
 
 set(KNOTWORK_SHADERS
   shaders/background.frag

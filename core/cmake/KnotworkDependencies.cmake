@@ -1,4 +1,5 @@
-# Third-party libraries: the system's first, else the pinned release by commit. Only headers are taken from any of them.
+# Third-party libraries: the system's first, else the pinned release by commit. Of those that the libraries and the page
+# use, only headers are taken; those at the end are compiled, for native tests and benchmarks alone.
 
 include_guard(GLOBAL)
 include(FetchContent)
@@ -93,3 +94,58 @@ macro(knotwork_require_doctest)
     REPOSITORY https://github.com/doctest/doctest.git
     COMMIT ae7a13539fb71f270b87eb2e874fbac80bc8dda2) # 2.4.11
 endmacro()
+
+# knotwork_compiled_library(<package> TARGET <imported target> REPOSITORY <url> COMMIT <hash>)
+#
+# For native tests and benchmarks: find_package() first, else the download is compiled with the options that are set
+# where this is called. Excluded from all: nothing of it is built that no test links, and nothing of it is installed.
+function(knotwork_compiled_library package)
+  cmake_parse_arguments(PARSE_ARGV 1 library "" "TARGET;REPOSITORY;COMMIT" "")
+  if(TARGET ${library_TARGET})
+    return()
+  endif()
+  FetchContent_Declare(${package}
+    GIT_REPOSITORY ${library_REPOSITORY}
+    GIT_TAG ${library_COMMIT}
+    SOURCE_SUBDIR without-a-project # so that it can be added as below
+    FIND_PACKAGE_ARGS CONFIG GLOBAL)
+  FetchContent_MakeAvailable(${package})
+  string(TOLOWER ${package} lower)
+  if(NOT TARGET ${library_TARGET} AND ${lower}_SOURCE_DIR)
+    add_subdirectory("${${lower}_SOURCE_DIR}" "${${lower}_BINARY_DIR}" EXCLUDE_FROM_ALL SYSTEM)
+  endif()
+  if(NOT TARGET ${library_TARGET})
+    message(FATAL_ERROR "${package} was found but does not define ${library_TARGET}")
+  endif()
+endfunction()
+
+macro(knotwork_require_rapidcheck)
+  knotwork_compiled_library(rapidcheck TARGET rapidcheck
+    REPOSITORY https://github.com/emil-e/rapidcheck.git
+    COMMIT ff6af6fc683159deb51c543b065eba14dfcf329b) # of 2023-12-14; there are no releases
+endmacro()
+
+macro(knotwork_require_benchmark)
+  set(BENCHMARK_ENABLE_TESTING OFF)
+  set(BENCHMARK_ENABLE_WERROR OFF)
+  set(BENCHMARK_ENABLE_INSTALL OFF)
+  knotwork_compiled_library(benchmark TARGET benchmark::benchmark
+    REPOSITORY https://github.com/google/benchmark.git
+    COMMIT d572f4777349d43653b21d6c2fc63020ab326db2) # 1.7.1
+endmacro()
+
+# SISL, SINTEF's spline library, has no CMake package: the target SISL::SISL exists afterwards exactly where its header
+# and its library are on the system (Debian: libsisl-dev). Never downloaded; who has it not tests without it.
+function(knotwork_find_sisl)
+  if(TARGET SISL::SISL)
+    return()
+  endif()
+  find_path(KNOTWORK_SISL_INCLUDE sisl.h)
+  find_library(KNOTWORK_SISL_LIBRARY sisl)
+  mark_as_advanced(KNOTWORK_SISL_INCLUDE KNOTWORK_SISL_LIBRARY)
+  if(KNOTWORK_SISL_INCLUDE AND KNOTWORK_SISL_LIBRARY)
+    add_library(SISL::SISL UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(SISL::SISL PROPERTIES IMPORTED_LOCATION "${KNOTWORK_SISL_LIBRARY}"
+                                                INTERFACE_INCLUDE_DIRECTORIES "${KNOTWORK_SISL_INCLUDE}")
+  endif()
+endfunction()

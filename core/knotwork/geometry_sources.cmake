@@ -28,16 +28,20 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
   knotwork/mesh/surface_sampling.cpp
+  knotwork/mesh/surface_tables.cpp
   knotwork/surface/bezier_surface.cpp
   knotwork/surface/blending_surface.cpp
   knotwork/surface/bspline_surface.cpp
   knotwork/surface/closest_surface_point.cpp
+  knotwork/surface/mixed_partials.cpp
+  knotwork/surface/mixed_series.cpp
   knotwork/surface/model_surface.cpp
   knotwork/surface/parametric_surface.cpp
   knotwork/surface/surface_area.cpp
   knotwork/surface/surface_catalogue.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
+  knotwork/curve/curve_fit.cpp
 )
 set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/bernstein.h
@@ -53,6 +57,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/bspline_refinement.h
   knotwork/curve/closest_point.h
   knotwork/curve/curve_catalogue.h
+  knotwork/curve/curve_fit.h
   knotwork/curve/curve_measures.h
   knotwork/curve/lane_riesenfeld.h
   knotwork/curve/least_squares.h
@@ -66,15 +71,20 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/mesh/blending_tables.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/surface_sampling.h
+  knotwork/mesh/surface_tables.h
+  knotwork/later.h
   knotwork/result.h
   knotwork/surface/bezier_surface.h
   knotwork/surface/blending_surface.h
   knotwork/surface/bspline_surface.h
   knotwork/surface/closest_surface_point.h
+  knotwork/surface/knotted_surface.h
+  knotwork/surface/mixed_partials.h
   knotwork/surface/model_surface.h
   knotwork/surface/parametric_surface.h
   knotwork/surface/surface_area.h
   knotwork/surface/surface_catalogue.h
+  knotwork/surface/surface_domain.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
   knotwork/surface/taylor2.h
@@ -92,5 +102,7 @@ set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/curve/row_block.h
   knotwork/curve/schoenberg_whitney.h
   knotwork/curve/vector_length.h
+  knotwork/surface/mixed_series.h
   knotwork/surface/net.h
+  knotwork/surface/sheet_formula.h
 )

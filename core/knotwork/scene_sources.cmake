@@ -1,38 +1,76 @@
 # Paths relative to core/. Explicit on purpose: a file that is not named here is not built.
 set(KNOTWORK_SCENE_SOURCES
+  knotwork/scene/blending_curve_edits.cpp
+  knotwork/scene/blending_curve_figure.cpp
+  knotwork/scene/catalogue_parameters.cpp
   knotwork/scene/chapters.cpp
   knotwork/scene/commands.cpp
   knotwork/scene/curve_edits.cpp
   knotwork/scene/curve_figure.cpp
+  knotwork/scene/curve_sampling.cpp
   knotwork/scene/document.cpp
   knotwork/scene/document_check.cpp
   knotwork/scene/document_json.cpp
+  knotwork/scene/fit_edits.cpp
+  knotwork/scene/fit_figure.cpp
   knotwork/scene/history.cpp
+  knotwork/scene/knot_edits.cpp
+  knotwork/scene/local_frame.cpp
   knotwork/scene/messages.cpp
+  knotwork/scene/model_curve_figure.cpp
+  knotwork/scene/model_parameters.cpp
+  knotwork/scene/models.cpp
+  knotwork/scene/model_figure.cpp
   knotwork/scene/motion.cpp
+  knotwork/scene/net_edits.cpp
+  knotwork/scene/net_figure.cpp
+  knotwork/scene/net_roll.cpp
   knotwork/scene/palette.cpp
   knotwork/scene/parameters.cpp
   knotwork/scene/picking.cpp
+  knotwork/scene/point_text.cpp
+  knotwork/scene/subdivision_edits.cpp
+  knotwork/scene/subdivision_figure.cpp
   knotwork/scene/surface_builder.cpp
 )
 set(KNOTWORK_SCENE_HEADERS
+  knotwork/scene/blending_curve_edits.h
+  knotwork/scene/blending_curve_figure.h
   knotwork/scene/chapters.h
   knotwork/scene/commands.h
   knotwork/scene/curve_edits.h
   knotwork/scene/curve_figure.h
+  knotwork/scene/curve_sample.h
+  knotwork/scene/curve_sampling.h
   knotwork/scene/document.h
   knotwork/scene/document_json.h
+  knotwork/scene/fit_edits.h
+  knotwork/scene/fit_figure.h
   knotwork/scene/history.h
+  knotwork/scene/knot_edits.h
+  knotwork/scene/later.h
   knotwork/scene/limits.h
+  knotwork/scene/local_frame.h
+  knotwork/scene/model_curve_figure.h
+  knotwork/scene/models.h
+  knotwork/scene/model_figure.h
   knotwork/scene/motion.h
+  knotwork/scene/net_edits.h
+  knotwork/scene/net_figure.h
+  knotwork/scene/net_roll.h
   knotwork/scene/objects.h
   knotwork/scene/palette.h
   knotwork/scene/parameters.h
   knotwork/scene/picking.h
+  knotwork/scene/point_text.h
+  knotwork/scene/subdivision_edits.h
+  knotwork/scene/subdivision_figure.h
   knotwork/scene/surface_builder.h
 )
 # Used by the sources above and by the schema's test only.
 set(KNOTWORK_SCENE_PRIVATE_HEADERS
+  knotwork/scene/catalogue_parameters.h
   knotwork/scene/document_members.h
   knotwork/scene/messages.h
+  knotwork/scene/model_parameters.h
 )

@@ -7,7 +7,7 @@ import { Mathematics } from './mathematics';
 
 export interface PageOptions {
   root: string;             ///< the shell's folder
-  moduleDirectory: string;  ///< where knotwork.js and knotwork.wasm are
+  moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm and later.wasm are
   policy: string;           ///< content security policy of the built page
   sourceUrl: string;        ///< where the source can be read; '' for no link
 }
@@ -41,7 +41,7 @@ export function page(options: PageOptions): Plugin {
     name: 'knotwork-page',
 
     async buildStart() {
-      for (const file of ['knotwork.js', 'knotwork.wasm']) {
+      for (const file of ['knotwork.js', 'knotwork.wasm', 'later.wasm']) {
         const path = join(options.moduleDirectory, file);
         if (existsSync(path)) continue;
         throw new Error(
@@ -88,7 +88,7 @@ export function head(options: PageOptions): Plugin {
           tags.push({ tag: 'link', attrs: { href: `./${file}`, ...attributes }, injectTo: 'head' });
         };
         for (const [file, output] of Object.entries(context.bundle ?? {})) {
-          if (/\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
+          if (/\/knotwork-[\w-]+\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
           // All that the first screen shows, or its text would move when a face comes late.
           if (/\/(serif|serif-italic|sans|katex-Main-Regular|katex-Math-Italic)-[\w-]+\.woff2$/.test(file)) {
             preload(file, { rel: 'preload', as: 'font', type: 'font/woff2', crossorigin: true });

@@ -1,5 +1,6 @@
 // What a first visit transfers, computed from dist: the page, everything that its entry loads (scripts, styles, fonts,
-// module), its icons. Fails above the budget.
+// module), its icons. Fails above the budget. The module's second part comes behind the first picture; it is listed and
+// counted in the total, but not against the first figure's WebAssembly.
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { dist } from './files.mjs';
@@ -35,13 +36,13 @@ let wasm = 0;
 for (const file of [...loaded].sort((a, b) => transferred(b) - transferred(a))) {
   const bytes = transferred(file);
   total += bytes;
-  if (file.endsWith('.wasm')) wasm += bytes;
+  if (/\/knotwork-[\w-]+\.wasm$/.test(file)) wasm += bytes;
   console.log(`${(bytes / 1024).toFixed(1).padStart(8)} KB  ${file}`);
 }
 console.log(`${(total / 1024).toFixed(1).padStart(8)} KB  first visit, of ${totalBudget / 1024} KB`);
-console.log(`${(wasm / 1024).toFixed(1).padStart(8)} KB  of it WebAssembly, of ${wasmBudget / 1024} KB`);
+console.log(`${(wasm / 1024).toFixed(1).padStart(8)} KB  WebAssembly before the first figure, of ${wasmBudget / 1024} KB`);
 if (wasm === 0) {
-  console.error('no WebAssembly among the files loaded: the calculation is wrong');
+  console.error('no module among the files loaded: the calculation is wrong');
   process.exitCode = 1;
 }
 if (total > totalBudget || wasm > wasmBudget) {

@@ -27,7 +27,7 @@ install_tools() {
     local packages=(cmake ninja-build g++ emscripten libeigen3-dev libglm-dev nlohmann-json3-dev doctest-dev
       ca-certificates xz-utils)
     if [[ $1 == test ]]; then
-      packages+=(clang-format clang-tidy)
+      packages+=(clang-format clang-tidy librapidcheck-dev libbenchmark-dev libsisl-dev python3-scipy)
       find_chromium >/dev/null || packages+=(chromium)
     fi
     command -v node >/dev/null || packages+=(nodejs)
@@ -74,7 +74,8 @@ require_commands() {
     say "Missing: ${missing[*]}. This script installs by itself only on Debian as root."
     say "  macOS:  brew install cmake ninja emscripten node; for the tests also llvm"
     say "  others: CMake 3.25, Ninja, a C++20 compiler, Emscripten 3.1.6 or newer, Node.js $node_minimum or newer;"
-    say "          for the tests also clang-format and clang-tidy 14 or newer, and Chromium"
+    say "          for the tests also clang-format and clang-tidy 14 or newer, Chromium, and, if at hand, RapidCheck,"
+    say "          Google Benchmark (both are downloaded otherwise), SISL, and Python with SciPy (left out otherwise)"
     exit 1
   fi
   if [[ $1 == test ]] && ! find_chromium >/dev/null; then

@@ -53,6 +53,8 @@ export interface State {
   redoLabel: string;
   notice: string;
   selected: string;
+  /// How many points the figure on the stage is made from; null where it is not made from a list of points.
+  points: number | null;
   /// null while a curve is on the stage.
   surface: SurfaceState | null;
 }
@@ -196,6 +198,10 @@ export class Bridge {
   }
   revision(): number {
     return this.number('knotwork_revision');
+  }
+  /// Points as text replace those of the figure on the stage.
+  points(text: string): void {
+    this.json('knotwork_points', text);
   }
   select(handle: string): void {
     this.json('knotwork_select', handle);

@@ -131,7 +131,8 @@ function makeRange(place: HTMLElement, parameter: Parameter, setter: Setter): Up
     id: parameter.id,
     update(now) {
       const value = Number(now.value);
-      const [min, max] = [now.min ?? 0, Math.max(now.softMax ?? now.max ?? 1, value)];
+      const min = Math.min(now.softMin ?? now.min ?? 0, value);
+      const max = Math.max(now.softMax ?? now.max ?? 1, value);
       input.min = String(min);
       input.max = String(max);
       input.step = now.step ? String(now.step) : 'any';

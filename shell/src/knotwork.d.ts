@@ -21,7 +21,8 @@ export interface Parameter {
   /// null for a choice or a toggle.
   readonly min: number | null;
   readonly max: number | null;
-  /// Where sliders end: beyond it lie values for those who ask for them.
+  /// Where sliders begin and end: beyond lie values for those who ask for them.
+  readonly softMin: number | null;
   readonly softMax: number | null;
   readonly step: number | null;
   readonly unit: string;
@@ -103,7 +104,8 @@ export interface Knotwork {
   handles(): Handle[];
   widgets(): Widget[];
 
-  /// The core's point and derivatives up to `order` (0 to 2): of a curve at t, of a surface at [u, v].
+  /// The core's point and derivatives up to `order` (surfaces 0 to 2, model and blending curves 0 to 3,
+  /// other curves 0 to 16): of a curve at t, of a surface at [u, v].
   evaluate(object: string, parameter: number, order?: number): Vector3[];
   evaluate(object: string, parameter: [u: number, v: number], order?: number): SurfaceJet;
 

@@ -3,6 +3,7 @@ import regularUrl from '../generated/stage-400.ttf?url';
 import semiboldUrl from '../generated/stage-600.ttf?url';
 import type { EmscriptenModule } from './bridge';
 import { countBytes } from './progress';
+import { SecondPart } from './second_part';
 
 /// Why there is no module: the reader's browser, or the way to it.
 export class LoadError extends Error {
@@ -17,20 +18,25 @@ export class LoadError extends Error {
   }
 }
 
-/// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come.
+/// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come. The
+/// second part is not fetched yet.
 export async function loadModule(
   canvas: HTMLCanvasElement,
   onFrameNeeded: () => void,
   onShare: (share: number) => void,
-): Promise<EmscriptenModule> {
+): Promise<{ module: EmscriptenModule; second: SecondPart }> {
   if (typeof WebAssembly !== 'object') throw new LoadError('unsupported');
   const [{ default: create }, compiled] = await Promise.all([fetchScript(), compile(onShare)]);
-  return new Promise((resolve, reject) => {
+  const second = new SecondPart();
+  const module = await new Promise<EmscriptenModule>((resolve, reject) => {
     create({
       canvas,
       onFrameNeeded,
       instantiateWasm: (imports, done) => {
-        WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled), reject);
+        WebAssembly.instantiate(compiled, { ...imports, later: second.placeholders }).then((instance) => {
+          second.attach(instance);
+          done(instance, compiled);
+        }, reject);
         return {};
       },
       print: (text) => console.log(text),
@@ -38,6 +44,7 @@ export async function loadModule(
       onAbort: reject,
     }).then(resolve, reject);
   });
+  return { module, second };
 }
 
 /// The two typefaces of the stage.

@@ -10,6 +10,8 @@ import { raise, showProgress, showTrouble, type Trouble } from './curtain';
 import { listen } from './input';
 import { loadModule, loadStageFonts, LoadError } from './loading';
 import { Page } from './page';
+import { listenToPaste } from './points';
+import type { SecondPart } from './second_part';
 import { followSections } from './sections';
 import { Stage } from './stage';
 
@@ -26,18 +28,18 @@ async function begin(): Promise<void> {
   // What still arrives after one download has failed must not hide the message.
   let waiting = true;
   try {
-    const [module, fonts] = await Promise.all([
+    const [{ module, second }, fonts] = await Promise.all([
       loadModule(canvas, () => stage?.request(), (share) => waiting && showProgress(share)),
       loadStageFonts(),
     ]);
-    start(new Bridge(module), fonts);
+    start(new Bridge(module), second, fonts);
   } catch (error) {
     waiting = false;
     fail(error instanceof LoadError ? error.reason : 'failed', error);
   }
 }
 
-function start(bridge: Bridge, fonts: [regular: Uint8Array, semibold: Uint8Array]): void {
+function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, semibold: Uint8Array]): void {
   if (!bridge.start('#canvas')) {
     fail('webgl', new Error('WebGL2 is not available'));
     return;
@@ -47,6 +49,7 @@ function start(bridge: Bridge, fonts: [regular: Uint8Array, semibold: Uint8Array
   page = new Page(bridge, canvas);
   stage = new Stage(canvas, bridge, (now) => page?.sync(now), (error) => fail('failed', error));
   listen(canvas, bridge);
+  listenToPaste(canvas, bridge, () => page?.update());
   api.attach(bridge);
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
@@ -55,7 +58,8 @@ function start(bridge: Bridge, fonts: [regular: Uint8Array, semibold: Uint8Array
     requestAnimationFrame(() => {
       // Not over a message that has come up since.
       if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
-      api.settle();
+      // Who waits for the page to be ready may ask for anything; the figure is alive before.
+      void second.fetch().catch(console.warn).finally(() => api.settle());
     }),
   );
 }

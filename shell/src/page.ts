@@ -4,6 +4,7 @@ import { element, makeControl, type Control, type Setter } from './controls';
 import { HistoryControls } from './history';
 import type { Parameter } from './knotwork';
 import { PatchList } from './patches';
+import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
 
 /// Everything beside the stage that shows the module's state or changes it.
@@ -15,6 +16,7 @@ export class Page {
   private readonly phrases: [HTMLButtonElement, Action][] = [];
   private readonly tables: ReportTable[] = [];
   private readonly patchLists: PatchList[] = [];
+  private readonly points: PointsField;
   private readonly history: HistoryControls;
   private readonly notice = document.getElementById('notice')!;
   private readonly bridge: Bridge;
@@ -61,6 +63,16 @@ export class Page {
       const choose = (id: string): void => this.attempt(() => bridge.select(id));
       this.patchLists.push(new PatchList(place, choose, () => canvas.focus({ preventScroll: true })));
     }
+    this.points = new PointsField(
+      (text) => {
+        try {
+          givePoints(bridge, text);
+        } finally {
+          this.update();
+        }
+      },
+      () => pointsText((bridge.document() as { objects: { points: number[][] }[] }).objects[0]!.points),
+    );
     this.history = new HistoryControls(
       () => this.attempt(() => bridge.undo()),
       () => this.attempt(() => bridge.redo()),
@@ -86,6 +98,7 @@ export class Page {
     const state = this.bridge.state();
     const rows = this.rows();
     this.makeSettings(rows);
+    this.points.element.hidden = state.points === null;
     for (const control of [...this.controls, ...this.settings]) {
       const row = rows.get(control.id);
       if (row) control.update(row);
@@ -140,6 +153,7 @@ export class Page {
     const groups = new Map<string, HTMLElement>();
     this.settings = [];
     place.replaceChildren();
+    place.append(this.points.element);
     for (const row of rows.values()) {
       if (shown.has(row.id)) continue;
       let group = groups.get(row.group);

@@ -8,6 +8,7 @@ import { decimalsOf, format } from '../src/controls';
 import { historyKey } from '../src/history';
 import { modifiersOf, wheelUnit } from '../src/input';
 import type { Parameter } from '../src/knotwork';
+import { faultText, givePoints, pointsText } from '../src/points';
 import { countBytes } from '../src/progress';
 import { direction, rows, subscript } from '../src/report';
 
@@ -38,6 +39,18 @@ test('an answer is unwrapped, an error is thrown with its path', () => {
     (error) =>
       error instanceof RefusedError && error.message === 'Must be a number.' && error.path === 'objects[0].locals',
   );
+});
+
+test('points as text go to the module, no longer than it reads, and faults name their line', () => {
+  const [bridge, calls] = recorder();
+  givePoints(bridge, '1, 2\n3, 4');
+  assert.deepEqual(calls.pop(), ['knotwork_points', ['string'], ['1, 2\n3, 4']]);
+  givePoints(bridge, '7'.repeat(50_000_000));
+  assert.deepEqual(calls[0], ['written', 8 * 1024 * 1024 + 1, 4096, 8 * 1024 * 1024 + 2]);
+  assert.equal(faultText(new RefusedError('That is no number.', 'line 12')), 'Line 12: That is no number.');
+  assert.equal(faultText(new RefusedError('There are no points here.', '')), 'There are no points here.');
+  assert.equal(faultText(new RefusedError('All in one place.', 'points')), 'All in one place.');
+  assert.equal(pointsText([[1, 2, 0], [-3.5, 0, 1e-7]]), '1, 2, 0\n-3.5, 0, 1e-7');
 });
 
 test('long texts and bytes go through the heap and are given back', () => {

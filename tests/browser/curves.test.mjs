@@ -174,7 +174,7 @@ pageTest('a curve that cannot be is refused with the place and the reason, and n
     ['objects[0].points[2]', /list of 3 numbers/, (curve) => (curve.points[2] = [1, 2])],
     ['objects[0].degree', /9/, (curve) => (curve.degree = 12)],
     ['objects[0].parameter', /0 to 1/, (curve) => (curve.parameter = 1.5)],
-    ['objects[0].kind', /blendingSurface, bezierCurve or bsplineCurve/, (curve) => (curve.kind = 'nurbs')],
+    ['objects[0].kind', /blendingSurface, bezierCurve, bsplineCurve/, (curve) => (curve.kind = 'nurbs')],
   ];
   for (const [path, words, spoil] of bad) {
     const document = structuredClone(good);

@@ -70,6 +70,94 @@ const states = {
     const { screen } = (await call(page, 'handles')).find((handle) => handle.id === 'point-3');
     await drag(page, screen, plus(screen, [20, -15]));
   },
+  fit: async (page) => call(page, 'open', 'least-squares'),
+  'fit-6': async (page) => {
+    await call(page, 'open', 'least-squares');
+    await call(page, 'set', 'fitted.count', 6);
+  },
+  'fit-closed': async (page) => {
+    await call(page, 'open', 'least-squares-closed');
+    await settled(page);
+    const { screen } = (await call(page, 'handles')).find((handle) => handle.id === 'point-3');
+    await drag(page, screen, plus(screen, [40, -25]));
+  },
+  'fit-many': async (page) => {
+    await call(page, 'open', 'least-squares');
+    const document = await call(page, 'document');
+    const round = (k) => 5 + 0.4 * Math.sin(9.7 * k) * Math.sin(k / 90);
+    document.objects[0].points = Array.from({ length: 900 }, (_, k) =>
+      [round(k) * Math.cos(k / 150), round(k) * Math.sin(k / 150), 0]);
+    document.objects[0].count = 20;
+    await call(page, 'load', document);
+  },
+  subdivision: async (page) => call(page, 'open', 'subdivision'),
+  'subdivision-split': async (page) => {
+    await call(page, 'open', 'subdivision');
+    await call(page, 'set', 'subdivision.step', 5);
+  },
+  'subdivision-way': async (page) => {
+    await call(page, 'open', 'subdivision');
+    await call(page, 'set', 'subdivision.step', 2);
+    await call(page, 'set', 'subdivision.fraction', 0.4);
+  },
+  points: async (page) => {
+    await call(page, 'open', 'least-squares');
+    await page.locator('.points summary').click();
+    await page.getByRole('button', { name: 'Write the present ones' }).click();
+    await page.locator('.points').scrollIntoViewIfNeeded();
+  },
+  modelcurve: async (page) => call(page, 'open', 'model-curve'),
+  flower: async (page) => {
+    await call(page, 'open', 'model-curve');
+    await call(page, 'set', 'curve.model', 'chrysanthemum');
+  },
+  butterfly: async (page) => {
+    await call(page, 'open', 'model-curve');
+    await call(page, 'set', 'curve.model', 'butterfly');
+  },
+  blendingcurve: async (page) => call(page, 'open', 'blending-curve'),
+  local: async (page) => {
+    await call(page, 'open', 'blending-curve');
+    await settled(page);
+    const { screen } = (await call(page, 'handles')).find((handle) => handle.id === 'local-7');
+    await drag(page, screen, plus(screen, [30, -24]));
+  },
+  localplaying: async (page) => {
+    await call(page, 'open', 'blending-curve');
+    await call(page, 'seek', 1.2);
+  },
+  net: async (page) => call(page, 'open', 'tensor-surface'),
+  netpoint: async (page) => {
+    await call(page, 'open', 'tensor-surface');
+    await settled(page);
+    const { screen } = (await call(page, 'handles')).find((handle) => handle.id === 'point-3-2');
+    await drag(page, screen, plus(screen, [20, -15]));
+  },
+  nettorus: async (page) => {
+    await call(page, 'open', 'tensor-surface');
+    await call(page, 'set', 'topology.u', 'closed');
+    await call(page, 'set', 'topology.v', 'closed');
+  },
+  netnormals: async (page) => {
+    await call(page, 'open', 'tensor-surface');
+    await call(page, 'set', 'topology.u', 'closed');
+    await call(page, 'set', 'display.normals', true);
+    await call(page, 'set', 'display.wireframe', true);
+  },
+  model: async (page) => call(page, 'open', 'model-surface'),
+  klein: async (page) => {
+    await call(page, 'open', 'model-surface');
+    await call(page, 'set', 'model', 'klein-bottle');
+  },
+  gallery: async (page) => {
+    await call(page, 'open', 'model-surface');
+    await settled(page);
+    if (await hasWidget(page, 'controls')) {
+      await clickWidget(page, 'controls');
+      await settled(page);
+    }
+    await clickWidget(page, 'model');
+  },
   settings: async (page) => {
     await page.evaluate(() => document.querySelectorAll('details').forEach((details) => (details.open = true)));
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));

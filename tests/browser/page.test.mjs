@@ -153,6 +153,74 @@ test('without WebGL the page says so', async () => {
   }
 });
 
+/// The part of the module that the first figure needs, and the other one.
+const moduleFile = /\/knotwork-[\w-]+\.wasm$/;
+const secondPart = /\/later-[\w-]+\.wasm$/;
+
+const drawn = (page) =>
+  until(page, () => {
+    try {
+      return window.knotwork.stats().frames > 0;
+    } catch {
+      return false;
+    }
+  });
+
+let letSecondPartCome;
+pageTest(
+  'the first figure is alive before the second part of the module has come',
+  {
+    wait: false,
+    before: async (page) => {
+      const later = new Promise((resolve) => (letSecondPartCome = resolve));
+      await page.route(secondPart, async (route) => {
+        await later;
+        await route.continue();
+      });
+    },
+  },
+  async (page) => {
+    let requests = 0;
+    page.on('request', (request) => (requests += secondPart.test(request.url()) ? 1 : 0));
+    await drawn(page);
+    await settled(page);
+    const start = await documentOf(page);
+    const handle = await frontHandle(page);
+    await drag(page, handle.screen, plus(handle.screen, [40, -15]));
+    await call(page, 'set', 'topology.u', 'open');
+    await call(page, 'set', 'blending.function', 'linear');
+    await call(page, 'set', 'locals.u', 5);
+    await settled(page);
+    for (let k = 0; k < 4; ++k) await call(page, 'undo');
+    assert.deepEqual((await documentOf(page)).objects, start.objects);
+    assert.ok(requests <= 1, 'the first figure has called for the second part');
+    letSecondPartCome();
+    await page.evaluate(() => window.knotwork.ready);
+    await call(page, 'open', 'bspline-curve');
+    assert.equal((await call(page, 'evaluate', 'curve', 1, 1)).length, 2);
+    await call(page, 'load', start);
+    await settled(page);
+  },
+);
+
+pageTest(
+  'what needs the second part before it has come fetches it on the spot',
+  {
+    wait: false,
+    before: (page) =>
+      page.route(secondPart, (route) =>
+        route.request().resourceType() === 'fetch' ? new Promise(() => {}) : route.continue(),
+      ),
+  },
+  async (page) => {
+    await drawn(page);
+    await call(page, 'open', 'bspline-curve');
+    assert.equal((await call(page, 'evaluate', 'curve', 1, 1)).length, 2);
+    await settled(page);
+    assert.ok((await handlesOf(page)).length > 6);
+  },
+);
+
 pageTest(
   'without WebAssembly the page says so',
   { wait: false, before: (page) => page.addInitScript(() => delete window.WebAssembly) },
@@ -162,7 +230,7 @@ pageTest(
   },
 );
 
-for (const [what, path] of [['module', /\.wasm$/], ['typeface', /\.ttf$/]])
+for (const [what, path] of [['module', moduleFile], ['typeface', /\.ttf$/]])
   pageTest(
     `a download of the ${what} that breaks off is said, and trying again brings the figure`,
     {
@@ -190,7 +258,7 @@ pageTest(
     before: async (page) => {
       const later = new Promise((resolve) => (letModuleCome = resolve));
       await page.route(/\.ttf$/, (route) => route.abort('failed'));
-      await page.route(/\.wasm$/, async (route) => {
+      await page.route(moduleFile, async (route) => {
         await later;
         await route.continue();
       });
@@ -198,7 +266,7 @@ pageTest(
   },
   async (page) => {
     const alert = await assertTrouble(page, /arrive|download|connection/i);
-    const arrived = page.waitForResponse(/\.wasm$/);
+    const arrived = page.waitForResponse(moduleFile);
     letModuleCome();
     await (await arrived).finished();
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
@@ -211,7 +279,7 @@ pageTest(
   {
     wait: false,
     expected: [/404/],
-    before: (page) => page.route(/\.wasm$/, (route) => route.fulfill({ status: 404, body: 'not found' })),
+    before: (page) => page.route(moduleFile, (route) => route.fulfill({ status: 404, body: 'not found' })),
   },
   async (page) => {
     await assertTrouble(page, /arrive|download|connection|server/i);
@@ -223,7 +291,7 @@ pageTest(
   {
     wait: false,
     expected: [],
-    before: (page) => page.route(/\.wasm$/, (route) => route.fulfill({ status: 200, body: '<!doctype html>Sign in' })),
+    before: (page) => page.route(moduleFile, (route) => route.fulfill({ status: 200, body: '<!doctype html>Sign in' })),
   },
   async (page) => {
     await assertTrouble(page, /./);
@@ -233,7 +301,7 @@ pageTest(
 pageTest('the download shows its progress', {
   wait: false,
   before: async (page) => {
-    await page.route(/\.wasm$/, async (route) => {
+    await page.route(moduleFile, async (route) => {
       await page.evaluate(() => new Promise((seen) => {
         const bar = document.querySelector('progress');
         const look = () => (bar.checkVisibility() ? seen() : requestAnimationFrame(look));
@@ -349,7 +417,7 @@ for (const [name, options] of Object.entries(devices)) {
   for (const dark of [false, true]) {
     pageTest(`axe finds nothing serious: ${name}, ${dark ? 'dark' : 'light'}`, { ...options, dark }, async (page) => {
       await settled(page);
-      for (const details of await page.locator('details > summary').all()) await details.click();
+      for (const details of await page.locator('details > summary:visible').all()) await details.click();
       await page.evaluate(() => scrollTo(0, 0));
       // Through the debugger, since the page's policy lets no foreign script in.
       await page.evaluate(await readFile(axeSource, 'utf8'));

@@ -7,7 +7,7 @@
 // A torus of 4 x 4 local patches, one of them lifted: the surface follows there and nowhere else.
 int main() {
   using namespace knotwork;
-  const ModelSurface torus = Torus{};
+  const ModelSurface torus = torus_surface();
   const auto knots = KnotVector::uniform(1, 4, Topology::closed, 0.0, 2 * std::numbers::pi);
   const auto blending = BlendingFunction::make(BlendingKind::polynomial2);
   if (!knots || !blending) return 1;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -35,7 +36,7 @@ SurfaceJet without_weight_derivatives(const BlendingSurface& surface, double u, 
 }  // namespace
 
 TEST_CASE("both evaluation forms agree to 1e-13") {
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
@@ -52,7 +53,7 @@ TEST_CASE("both evaluation forms agree to 1e-13") {
 }
 
 TEST_CASE("partials are the derivatives, relative to their size; wrong ones are rejected") {
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const KnotVector &knots_u = surface.knots_u(), &knots_v = surface.knots_v();
@@ -91,7 +92,8 @@ TEST_CASE("partials are the derivatives, relative to their size; wrong ones are 
 }
 
 TEST_CASE("a local has influence on its support, all of it, and nowhere else: bit for bit, the wrap included") {
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
+    if (entry.surface.twist_u() || entry.surface.twist_v()) continue;  // the Moebius strip has a test of its own
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const KnotVector &knots_u = surface.knots_u(), &knots_v = surface.knots_v();
@@ -127,7 +129,7 @@ TEST_CASE("a local has influence on its support, all of it, and nowhere else: bi
 TEST_CASE("the surface and its partials up to the order are continuous across knots and closed seams") {
   // The order is sharp: over all cases the next derivative jumps, or the test would detect nothing.
   int jumps_beyond_order = 0, crossings = 0;
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
@@ -161,7 +163,7 @@ TEST_CASE("the surface and its partials up to the order are continuous across kn
 }
 
 TEST_CASE("Hermite property: at a knot the surface has the point and partials of the local there, up to the order") {
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const JetScale scale = jet_scale(surface);
@@ -182,7 +184,7 @@ TEST_CASE("Hermite property: at a knot the surface has the point and partials of
 
 TEST_CASE("affine invariance: mapping every local maps the surface") {
   Numbers numbers(4711);
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const Eigen::Affine3d map = numbers.affine();
@@ -206,7 +208,7 @@ TEST_CASE("affine invariance: mapping every local maps the surface") {
 
 TEST_CASE("P1: unmoved locals give the model back whatever the blending function") {
   for (const BlendingFunction& b : case_functions()) {
-    for (const ModelSurface& model : {ModelSurface(Torus{}), ModelSurface(Sheet{1, 1})}) {
+    for (const ModelSurface& model : {ModelSurface(torus_surface()), ModelSurface(Sheet{1, 1})}) {
       const SurfaceDomain where = domain(model);
       const BlendingSurface surface = unmoved(model, case_knots(3, Topology::closed, where.u, false),
                                               case_knots(4, Topology::open, where.v, true), b);
@@ -225,14 +227,17 @@ TEST_CASE("P1: unmoved locals give the model back whatever the blending function
 }
 
 TEST_CASE("a closed direction repeats with its period, an open one stops at its ends") {
-  for (const SurfaceCase& entry : surface_cases()) {
+  for (const SurfaceCase& entry : all_surface_cases()) {
     const BlendingSurface& surface = entry.surface;
     CAPTURE(entry.name);
     const KnotVector &u = surface.knots_u(), &v = surface.knots_v();
     const double a = u.start() + 0.37 * u.period(), b = v.start() + 0.61 * v.period();
     const Eigen::Vector3d here = surface.evaluate(a, b).s;
-    const Eigen::Vector3d next_u = surface.evaluate(a + u.period(), b).s,
-                          next_v = surface.evaluate(a, b - v.period()).s;
+    // A twisted turn reflects the other parameter.
+    const double other_b = surface.twist_u() ? surface.twist_u()->reflection - b : b;
+    const double other_a = surface.twist_v() ? surface.twist_v()->reflection - a : a;
+    const Eigen::Vector3d next_u = surface.evaluate(a + u.period(), other_b).s,
+                          next_v = surface.evaluate(other_a, b - v.period()).s;
     if (u.closed()) {
       CHECK(close(next_u, here, 1e-13, 1));
     } else {
@@ -243,6 +248,109 @@ TEST_CASE("a closed direction repeats with its period, an open one stops at its 
     } else {
       CHECK(next_v == surface.evaluate(a, v.start()).s);
     }
+  }
+}
+
+TEST_CASE("across a twisted seam S and the partial along the turn go on, the one across changes its sign") {
+  int seams = 0;
+  for (const SurfaceCase& entry : further_surface_cases()) {
+    const BlendingSurface& surface = entry.surface;
+    for (const bool in_u : {true, false}) {
+      const auto& twist = in_u ? surface.twist_u() : surface.twist_v();
+      if (!twist) continue;
+      ++seams;
+      CAPTURE(entry.name);
+      const KnotVector &turn = in_u ? surface.knots_u() : surface.knots_v(),
+                       &other = in_u ? surface.knots_v() : surface.knots_u();
+      const JetScale scale = jet_scale(surface);
+      // Into the last interval from its inside, where no wrapping helps.
+      const double before = std::nextafter(turn.end(), -1e9);
+      for (const double t : interval_parameters(other, {0.1, 0.5, 0.8})) {
+        const double image = twist->reflection - t;
+        const SurfaceJet end = in_u ? surface.evaluate(before, t) : surface.evaluate(t, before);
+        const SurfaceJet start = in_u ? surface.evaluate(turn.start(), image) : surface.evaluate(image, turn.start());
+        CHECK(close(end.s, start.s, 1e-13, scale.part[0]));
+        const int across = in_u ? 2 : 1, along = in_u ? 1 : 2;
+        CHECK(close(jet_part(end, across), -jet_part(start, across), 1e-12, scale.part[across]));
+        if (surface.blending().order() < 1) continue;
+        CHECK(close(jet_part(end, along), jet_part(start, along), 1e-12, scale.part[along]));
+      }
+    }
+  }
+  CHECK(seams == 18);
+}
+
+TEST_CASE("a local of a Moebius strip reaches across the seam on the other side, and no further") {
+  const ModelSurface model = make_catalogue_surface("moebius").value();
+  const double start = domain(model).v.start, end = domain(model).v.end;
+  const KnotVector u = KnotVector::make(1, Topology::open, {-1, -1, -0.5, 0.5, 1, 1}).value();
+  const KnotVector v = KnotVector::uniform(1, 4, Topology::closed, start, end).value();
+  const BlendingFunction b = BlendingFunction::make(BlendingKind::polynomial2).value();
+  for (const LocalSurfaceKind kind : {LocalSurfaceKind::sub_surface, LocalSurfaceKind::bezier_hermite}) {
+    const BlendingSurface surface = moved(
+        BlendingSurface::make(model, u, v, b, BlendingSurface::unmoved_locals(model, u, v), {kind, 2, 2}).value(), 5);
+    const double h = (end - start) / 4;
+    const auto inside = [&](int i, int j, double a, double c) {
+      const bool here = in_support(u, i, a) && v[j] < c && c < v[j + 2];
+      return here || (j == 0 && in_support(u, i, -a) && c > end - h);
+    };
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        BlendingSurface changed = surface;
+        changed.set_local(i, j, Eigen::Translation3d(0.1, -0.2, 0.3) * surface.local(i, j));
+        for (const double a : interval_parameters(u, {0, 0.3, 0.5, 0.7})) {
+          for (const double c : interval_parameters(v, {0, 0.4, 0.6})) {
+            REQUIRE((surface.evaluate(a, c).s != changed.evaluate(a, c).s) == inside(i, j, a, c));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("unmoved Bezier-Hermite locals meet the model at the knots, and a polynomial model everywhere") {
+  const BlendingFunction b = BlendingFunction::make(BlendingKind::polynomial3).value();
+  for (const CatalogueSurfaceRow& row : surface_catalogue()) {
+    const ModelSurface model = make_catalogue_surface(row.id).value();
+    CAPTURE(row.id);
+    const SurfaceDomain where = domain(model);
+    const KnotVector u = KnotVector::uniform(1, 3, Topology::open, where.u.start, where.u.end).value();
+    const KnotVector v = KnotVector::uniform(1, 4, Topology::open, where.v.start, where.v.end).value();
+    const BlendingSurface surface = BlendingSurface::make(model, u, v, b, BlendingSurface::unmoved_locals(model, u, v),
+                                                          {LocalSurfaceKind::bezier_hermite, 2, 2})
+                                        .value();
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const Eigen::Vector2d c = surface.centre(i, j);
+        const SurfaceJet jet = surface.evaluate(c.x(), c.y()), expected = evaluate(model, c.x(), c.y());
+        double largest = 0;
+        for (int part = 0; part < 6; ++part) largest = std::max(largest, jet_part(expected, part).norm());
+        for (int part = 0; part < 6; ++part) {
+          CAPTURE(jet_names[part]);
+          CHECK(close(jet_part(jet, part), jet_part(expected, part), 1e-12, largest));
+        }
+      }
+    }
+  }
+  // Enneper's surface is of degree 3 in u and in v, Whitney's umbrella of degree 1 and 2.
+  for (const auto& [id, degree_u, degree_v] : {std::tuple{"enneper", 3, 3}, {"whitney-umbrella", 1, 2}}) {
+    const ModelSurface model = make_catalogue_surface(id).value();
+    const SurfaceDomain where = domain(model);
+    const KnotVector u = case_knots(3, Topology::open, where.u, false),
+                     v = case_knots(4, Topology::open, where.v, true);
+    const auto locals = BlendingSurface::unmoved_locals(model, u, v);
+    const BlendingSurface surface =
+        BlendingSurface::make(model, u, v, b, locals, {LocalSurfaceKind::bezier_hermite, degree_u, degree_v}).value();
+    const BlendingSurface poorer =
+        BlendingSurface::make(model, u, v, b, locals, {LocalSurfaceKind::bezier_hermite, degree_u, 1}).value();
+    bool differs = false;
+    for (const double a : interval_parameters(u, {0, 0.3, 0.7})) {
+      for (const double c : interval_parameters(v, {0, 0.4, 0.6})) {
+        CHECK(close(surface.evaluate(a, c).s, evaluate(model, a, c).s, 1e-13, 1));
+        differs = differs || (poorer.evaluate(a, c).s - evaluate(model, a, c).s).norm() > 1e-3;
+      }
+    }
+    CHECK(differs);
   }
 }
 

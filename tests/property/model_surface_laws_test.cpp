@@ -12,9 +12,9 @@ using namespace test;
 
 namespace {
 
-const ModelSurface models[] = {Plane{{1, 2, 3}, {1, 2, 0}, {0, 1, 1}},
-                               Cylinder{1, 1.3, 2},
-                               Torus{1, 0.4, 0.6},
+const ModelSurface models[] = {plane_surface({1, 2, 3}, {1, 2, 0}, {0, 1, 1}),
+                               cylinder_surface(1, 1.3, 2),
+                               torus_surface(1, 0.4, 0.6),
                                Sheet{0, 0},
                                Sheet{1, 0},
                                Sheet{0, 1},
@@ -54,12 +54,12 @@ TEST_CASE("a model repeats with its period in the directions it is closed in, al
         const SurfaceJet here = evaluate(model, u, v);
         const SurfaceJet next_u = evaluate(model, u - period_u, v), next_v = evaluate(model, u, v - period_v);
         for (int k = 0; k < 6; ++k) {
-          if (where.closure_u == Topology::closed) {
+          if (where.closure_u == Closure::closed) {
             CHECK(close(jet_part(next_u, k), jet_part(here, k), 1e-14, 1));
           } else if (k == 0) {
             CHECK_FALSE(close(next_u.s, here.s, 1e-3, 1));
           }
-          if (where.closure_v == Topology::closed) {
+          if (where.closure_v == Closure::closed) {
             CHECK(close(jet_part(next_v, k), jet_part(here, k), 1e-14, 1));
           } else if (k == 0) {
             CHECK_FALSE(close(next_v.s, here.s, 1e-3, 1));

@@ -90,9 +90,9 @@ inline std::vector<SurfaceCase> surface_cases() {
     const char* name;
     ModelSurface model;
   };
-  const Shape shapes[] = {{"plane", Plane{}},
-                          {"cylinder", Cylinder{1, 1.3, 2}},
-                          {"torus", Torus{1, 0.4, 0.6}},
+  const Shape shapes[] = {{"plane", plane_surface()},
+                          {"cylinder", cylinder_surface(1, 1.3, 2)},
+                          {"torus", torus_surface(1, 0.4, 0.6)},
                           {"sheet", Sheet{1, 1}},
                           {"half-rolled sheet", Sheet{0.6, 1}}};
   struct Size {
@@ -108,8 +108,8 @@ inline std::vector<SurfaceCase> surface_cases() {
     const SurfaceDomain where = domain(shape.model);
     for (const Topology u : {Topology::open, Topology::closed}) {
       for (const Topology v : {Topology::open, Topology::closed}) {
-        if (u == Topology::closed && where.closure_u == Topology::open) continue;
-        if (v == Topology::closed && where.closure_v == Topology::open) continue;
+        if (u == Topology::closed && where.closure_u == Closure::open) continue;
+        if (v == Topology::closed && where.closure_v == Closure::open) continue;
         for (const Size& size : sizes) {
           // Three functions a surface, taken in turn, so that each meets every topology.
           for (int k = 0; k < 3; ++k) {
@@ -126,6 +126,65 @@ inline std::vector<SurfaceCase> surface_cases() {
       }
     }
   }
+  return cases;
+}
+
+/// Bezier-Hermite locals, and models closed with a twist, with both kinds of locals; all moved.
+inline std::vector<SurfaceCase> further_surface_cases() {
+  constexpr LocalSurfaceKind whole = LocalSurfaceKind::sub_surface, taylor = LocalSurfaceKind::bezier_hermite;
+  const Topology open = Topology::open, closed = Topology::closed;
+  const auto model = [](const char* id) { return ModelSurface(make_catalogue_surface(id).value()); };
+  const double pi = std::numbers::pi;
+  const auto knots = [](Topology topology, std::vector<double> t) { return KnotVector::make(1, topology, t).value(); };
+  const auto even = [](int n, Topology topology, double start, double end) {
+    return KnotVector::uniform(1, n, topology, start, end).value();
+  };
+  // Symmetric about 0, and, modulo their period 2 pi, about 0 too.
+  const KnotVector strip = knots(open, {-1, -1, -0.375, 0.375, 1, 1});
+  const KnotVector ring = knots(closed, {-2.0, 0, 2.0, 2 * pi - 2.0, 2 * pi, 2 * pi + 2.0});
+  const KnotVector turn = case_knots(4, closed, {0, 2 * pi}, false);
+  struct Row {
+    const char* name;
+    ModelSurface model;
+    KnotVector u, v;
+    LocalSurfaces locals;
+  };
+  const Row rows[] = {
+      {"torus 3,3", torus_surface(1, 0.4, 0.6), turn, even(3, closed, 0, 2 * pi), {taylor, 3, 3}},
+      {"torus 1,2", torus_surface(1, 0.4, 0.6), even(4, closed, 0, 2 * pi), even(4, open, 0, 2 * pi), {taylor, 1, 2}},
+      {"half-rolled sheet 2,3", Sheet{0.6, 1}, even(4, open, -pi, pi), even(3, closed, -pi, pi), {taylor, 2, 3}},
+      {"bent plane 3,1", model("enneper"), even(3, open, -1.5, 1.5), even(4, open, -1.5, 1.5), {taylor, 3, 1}},
+      {"moebius", model("moebius"), strip, even(3, closed, -0.5 * pi, 1.5 * pi), {whole}},
+      {"moebius 2,3", model("moebius"), strip, even(3, closed, -0.5 * pi, 1.5 * pi), {taylor, 2, 3}},
+      {"open moebius 2,2", model("moebius"), even(3, open, -1, 1), even(3, open, -0.5 * pi, 1.5 * pi), {taylor, 2, 2}},
+      {"figure-eight klein", model("figure-eight-klein-bottle"), turn, ring, {whole}},
+      {"figure-eight klein 3,2", model("figure-eight-klein-bottle"), turn, ring, {taylor, 3, 2}},
+      {"steiner", model("steiner"), even(3, closed, 0, pi), even(4, closed, 0, pi), {whole}},
+      {"boy 2,2", model("boy"), even(4, closed, 0, pi), even(3, closed, 0, pi), {taylor, 2, 2}},
+  };
+  std::vector<BlendingFunction> functions;
+  for (const BlendingFunction& b : case_functions()) {
+    if (b.symmetric()) functions.push_back(b);
+  }
+  std::vector<SurfaceCase> cases;
+  std::size_t next_function = 0;
+  for (const Row& row : rows) {
+    for (int k = 0; k < 3; ++k) {
+      const BlendingFunction& b = functions[next_function++ % functions.size()];
+      BlendingSurface surface =
+          BlendingSurface::make(row.model, row.u, row.v, b, BlendingSurface::unmoved_locals(row.model, row.u, row.v),
+                                row.locals)
+              .value();
+      cases.push_back({std::string(row.name) + " " + std::string(blending_family(b.kind()).id),
+                       moved(std::move(surface), cases.size() + 77)});
+    }
+  }
+  return cases;
+}
+
+inline std::vector<SurfaceCase> all_surface_cases() {
+  std::vector<SurfaceCase> cases = surface_cases();
+  for (SurfaceCase& entry : further_surface_cases()) cases.push_back(std::move(entry));
   return cases;
 }
 

@@ -46,7 +46,7 @@ struct Magnitudes {
 };
 Magnitudes magnitudes(const CatalogueSurface& surface) {
   Magnitudes largest;
-  const CatalogueSurfaceDomain where = domain(surface);
+  const SurfaceDomain where = domain(surface);
   for (const double a : shares) {
     for (const double b : shares) {
       const SurfaceJet jet = evaluate(surface, between(where.u, a), between(where.v, b));
@@ -85,7 +85,7 @@ TEST_CASE("a catalogue surface's partials are the derivatives of its points; a w
     double largest = 0;
     for (const double part : magnitude.part) largest = std::max(largest, part);
     for (int k = 0; k < 6; ++k) check.scale[k] = std::max(magnitude.part[k], 1e-2 * largest);
-    const CatalogueSurfaceDomain where = domain(surface);
+    const SurfaceDomain where = domain(surface);
     const double h_u = 1e-3 * (where.u.end - where.u.start), h_v = 1e-3 * (where.v.end - where.v.start);
     bool rejected[6] = {};
     for (const double a : shares) {
@@ -211,7 +211,7 @@ TEST_CASE("surfaces with known equations and curvatures obey them") {
   for (const CatalogueSurface& surface : surfaces()) {
     const std::string_view id = row_of(surface).id;
     const CatalogueMeasures& m = surface.measures;
-    const CatalogueSurfaceDomain where = domain(surface);
+    const SurfaceDomain where = domain(surface);
     CAPTURE(id);
     for (const double a : shares) {
       for (const double b : shares) {
@@ -258,7 +258,7 @@ TEST_CASE("at the limits of its measures, in the corners of its domain, a surfac
       if (row.id == "plane") values[3] = 0;
       const Result<CatalogueSurface> surface = make_catalogue_surface(row.id, values);
       REQUIRE(surface.has_value());
-      const CatalogueSurfaceDomain where = domain(surface.value());
+      const SurfaceDomain where = domain(surface.value());
       for (const double a : {0.0, 0.3, 0.5, 1.0}) {
         for (const double b : {0.0, 0.3, 0.5, 1.0}) {
           const SurfaceJet jet = evaluate(surface.value(), between(where.u, a), between(where.v, b));

@@ -1,5 +1,6 @@
 #include "knotwork/basis/bernstein.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -23,10 +24,11 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 }  // namespace
 
 TEST_CASE("Bernstein-Hermite matrices meet oracle 10") {
-  const nlohmann::json oracle = load_oracle("10_bernstein_hermite.json");
+  const nlohmann::json& oracle = load_oracle("10_bernstein_hermite.json");
   REQUIRE(oracle.contains("bernstein_hermite"));
   int matrices = 0;
   for (const nlohmann::json& entry : oracle["bernstein_hermite"]) {
+    read_case(entry);
     const int degree = entry["degree"].get<int>();
     const double t = entry["t"].get<double>(), delta = entry["delta"].get<double>();
     const Eigen::MatrixXd actual = bernstein_hermite(degree, t, delta);
@@ -45,6 +47,33 @@ TEST_CASE("Bernstein-Hermite matrices meet oracle 10") {
     ++matrices;
   }
   CHECK(matrices == 24);
+}
+
+TEST_CASE(
+    "the cubic and quintic Hermite bases of oracle 10 are the Bernstein-Hermite matrices of both ends, inverted") {
+  const nlohmann::json& oracle = load_oracle("10_bernstein_hermite.json");
+  REQUIRE(oracle["hermite"].size() == 6);
+  for (const nlohmann::json& entry : oracle["hermite"]) {
+    read_case(entry);
+    for (const int degree : {3, 5}) {
+      // The data in the oracle's order: both points, both first derivatives, ...
+      Eigen::MatrixXd ends(degree + 1, degree + 1);
+      const Eigen::MatrixXd start = bernstein_hermite(degree, 0), end = bernstein_hermite(degree, 1);
+      for (int r = 0; 2 * r <= degree; ++r) ends.row(2 * r) = start.row(r), ends.row(2 * r + 1) = end.row(r);
+      const Eigen::MatrixXd basis = bernstein_hermite(degree, entry["t"].get<double>()) * ends.inverse();
+      const nlohmann::json& expected = entry[degree == 3 ? "H3_rows_derivative_0_3" : "H5_rows_derivative_0_5"];
+      for (int r = 0; r <= degree; ++r) {
+        // Derivatives are differences of terms of the row's largest size.
+        const double scale = std::max(basis.row(r).cwiseAbs().maxCoeff(), 1.0);
+        for (int k = 0; k <= degree; ++k) {
+          CAPTURE(degree);
+          CAPTURE(r);
+          const double value = expected[static_cast<std::size_t>(r)][static_cast<std::size_t>(k)].get<double>();
+          CHECK(close(basis(r, k), value, oracle_tolerance, scale));
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("Bernstein polynomials are a partition of unity, and symmetric, up to the highest degree") {

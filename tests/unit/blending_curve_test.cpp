@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "knotwork/curve/arc_length.h"
 #include "knotwork/curve/bezier_curve.h"
+#include "knotwork/curve/curve_measures.h"
 #include "unit/model_curves.h"
 #include "unit/oracle.h"
 
@@ -63,11 +65,38 @@ Result<BlendingCurve> blend(const ModelCurve& model, int n, LocalCurves shape) {
 
 }  // namespace
 
+TEST_CASE("oracle 08: length, speed, curvature and torsion of a blending curve with one local moved") {
+  const char* name = "one_local_moved_polynomial1";
+  const nlohmann::json& measured = read_case(load_oracle("08_differential_geometry.json")["cases"][name]);
+  REQUIRE(measured["points"].size() == 8);
+  const nlohmann::json& curves = load_oracle("06_blending_curve.json")["cases"];
+  const auto found = std::find_if(curves.begin(), curves.end(), [&](const nlohmann::json& entry) {
+    return entry["name"].get<std::string>() == name;
+  });
+  REQUIRE(found != curves.end());
+  const BlendingCurve curve = oracle_curve((*found)["inputs"]);
+  const KnotVector& t = curve.knots();
+  CHECK(close(arc_length(curve_view(curve, t.start(), t.end(), Topology::closed, t.knots())),
+              measured["length"].get<double>(), oracle_tolerance));
+  for (const nlohmann::json& at : measured["points"]) {
+    Jet c;
+    curve.evaluate(at["t"].get<double>(), c);
+    CHECK(close(speed(c), at["speed"].get<double>(), oracle_tolerance));
+    // Relative to the derivatives that they are made of.
+    const double v = c[1].norm(), cross = c[1].cross(c[2]).norm();
+    const double bend = c[2].norm() / (v * v), twist = c[3].norm() * v * c[2].norm() / (cross * cross);
+    CHECK(close(curvature(c), at["curvature"].get<double>(), oracle_tolerance, bend));
+    CHECK(close(torsion(c), at["torsion"].get<double>(), oracle_tolerance, twist));
+    CHECK_FALSE(close(curvature(c) + 1e-3 * bend, at["curvature"].get<double>(), oracle_tolerance, bend));
+  }
+}
+
 TEST_CASE("blending curves meet oracle 06: derivatives to order 3, by both forms, and the locals' data at the knots") {
-  const nlohmann::json oracle = load_oracle("06_blending_curve.json");
+  const nlohmann::json& oracle = load_oracle("06_blending_curve.json");
   REQUIRE(oracle.contains("cases"));
   int cases = 0, vectors = 0, knot_vectors = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {
+    read_case(entry);
     const std::string name = entry["name"].get<std::string>();
     CAPTURE(name);
     const BlendingCurve curve = oracle_curve(entry["inputs"]);
@@ -111,7 +140,7 @@ TEST_CASE("blending curves meet oracle 06: derivatives to order 3, by both forms
 }
 
 TEST_CASE("Bezier-Hermite locals are the Bezier curves of oracle 06, arcs have its speeds, curvatures and frames") {
-  const nlohmann::json oracle = load_oracle("06_blending_curve.json");
+  const nlohmann::json& oracle = load_oracle("06_blending_curve.json");
   REQUIRE(oracle.contains("cases"));
   int beziers = 0, arcs = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {

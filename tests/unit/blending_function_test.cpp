@@ -42,9 +42,10 @@ void check_row(const BlendingValue& actual, const nlohmann::json& row, double sc
 }  // namespace
 
 TEST_CASE("oracle 05: eleven B-functions with three derivatives") {
-  const nlohmann::json oracle = load_oracle("05_blending_functions.json");
+  const nlohmann::json& oracle = load_oracle("05_blending_functions.json");
   REQUIRE(oracle["functions"].size() == 11);
   for (const nlohmann::json& function : oracle["functions"]) {
+    read_case(function);
     const std::string name = function["name"];
     CAPTURE(name);
     const BlendingFunction b = from_oracle_name(name);
@@ -62,9 +63,10 @@ TEST_CASE("oracle 05: eleven B-functions with three derivatives") {
 }
 
 TEST_CASE("oracle 05: expo-rational constants") {
-  const nlohmann::json constants = load_oracle("05_blending_functions.json")["expo_rational_constants"];
+  const nlohmann::json& constants = read_case(load_oracle("05_blending_functions.json")["expo_rational_constants"]);
   const BlendingFunction b = make(BlendingKind::expo_rational);
   CHECK(close(b.expo_rational_scale(), constants["S_d = 1/int_0^1 phi"].get<double>(), oracle_tolerance));
+  CHECK(close(1 / b.expo_rational_scale(), constants["int_0^1 phi"].get<double>(), oracle_tolerance));
   const BlendingValue half = b(0.5);
   CHECK(close(half[0], constants["B(1/2)"].get<double>(), oracle_tolerance));
   CHECK(close(half[1], constants["B'(1/2)"].get<double>(), oracle_tolerance));
@@ -73,9 +75,10 @@ TEST_CASE("oracle 05: expo-rational constants") {
 }
 
 TEST_CASE("oracle 05: expo-rational functions with other intrinsic parameters") {
-  const nlohmann::json cases = load_oracle("05_blending_functions.json")["expo_rational_general_intrinsic_parameters"];
+  const nlohmann::json& cases = load_oracle("05_blending_functions.json")["expo_rational_general_intrinsic_parameters"];
   REQUIRE(cases.size() == 5);
   for (const nlohmann::json& entry : cases) {
+    read_case(entry);
     const ExpoRationalParameters parameters{entry["alpha"], entry["beta"], entry["gamma"], entry["lambda"]};
     const BlendingFunction b = BlendingFunction::make(parameters).value();
     CAPTURE(entry["lambda"].get<double>());
@@ -89,9 +92,10 @@ TEST_CASE("oracle 05: expo-rational functions with other intrinsic parameters") 
 }
 
 TEST_CASE("oracle 05: polynomials of order m") {
-  const nlohmann::json cases = load_oracle("05_blending_functions.json")["beta_function_b_functions"];
+  const nlohmann::json& cases = load_oracle("05_blending_functions.json")["beta_function_b_functions"];
   REQUIRE(cases.size() == 5);
   for (const nlohmann::json& entry : cases) {
+    read_case(entry);
     const int m = entry["m"];
     CAPTURE(m);
     const BlendingFunction b = make(BlendingKind::polynomial_m, m);

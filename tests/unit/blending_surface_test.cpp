@@ -1,5 +1,7 @@
 #include "knotwork/surface/blending_surface.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -17,15 +19,49 @@ namespace {
 using std::numbers::pi;
 
 ModelSurface oracle_model(const std::string& description) {
-  if (description.starts_with("PTorus")) return Torus{1, 0.4, 0.6};
-  if (description.starts_with("PCylinder")) return Cylinder{2, 3.5, 5};
+  if (description.starts_with("PTorus")) return torus_surface(1, 0.4, 0.6);
+  if (description.starts_with("PCylinder")) return cylinder_surface(2, 3.5, 5);
+  if (description.starts_with("PMoebiusStrip(2,1)"))
+    return make_catalogue_surface("moebius", std::array{2.0, 1.0}).value();
+  if (description.starts_with("PBottle8(4)")) {
+    return make_catalogue_surface("figure-eight-klein-bottle", std::array{4.0, 1.0}).value();
+  }
   REQUIRE(description.starts_with("PPlane"));
-  return Plane{{3, 4, 5}, {1, 4, 3}, {1, 1, 2}};
+  return plane_surface({3, 4, 5}, {1, 4, 3}, {1, 1, 2});
 }
 
 KnotVector oracle_knots(const nlohmann::json& inputs, const std::string& direction) {
   const Topology topology = inputs["closed_" + direction].get<bool>() ? Topology::closed : Topology::open;
   return KnotVector::make(1, topology, inputs["knots_" + direction].get<std::vector<double>>()).value();
+}
+
+LocalSurfaces oracle_locals(const nlohmann::json& inputs) {
+  if (!inputs.contains("local_type")) return {};
+  REQUIRE(inputs["local_type"].get<std::string>().starts_with("tensor Bezier-Hermite of degree (2,2)"));
+  return {LocalSurfaceKind::bezier_hermite, 2, 2};
+}
+
+/// A seam's entries begin with the part of the jet that they are about, `Sv(u,v_end)=..`: S at the end of the domain.
+void check_twisted_seam(const BlendingSurface& surface, const nlohmann::json& seam) {
+  const bool in_v = seam.contains("u");
+  const double other = seam[in_v ? "u" : "v"], image = seam[in_v ? "u_star" : "v_star"];
+  const KnotVector& turn = in_v ? surface.knots_v() : surface.knots_u();
+  const auto at = [&](double t, double along) {
+    return in_v ? surface.evaluate(t, along) : surface.evaluate(along, t);
+  };
+  const SurfaceJet end = at(other, turn.end()), start = at(image, turn.start());
+  const SurfaceJet inside = at(other, std::nextafter(turn.end(), turn.start()));
+  for (const auto& [key, value] : seam.items()) {
+    if (key.find('=') == std::string::npos) continue;
+    const std::string part = key.substr(0, key.find('('));
+    for (int k = 0; k < 6; ++k) {
+      if (jet_names[k] != part) continue;
+      const double sign = key.find("=-") == std::string::npos ? 1 : -1;
+      CHECK(close(jet_part(end, k), vector3(value), oracle_tolerance));
+      CHECK(close(jet_part(inside, k), vector3(value), oracle_tolerance));
+      CHECK(close(sign * jet_part(start, k), vector3(value), oracle_tolerance));
+    }
+  }
 }
 
 BlendingSurface oracle_surface(const nlohmann::json& inputs) {
@@ -36,7 +72,7 @@ BlendingSurface oracle_surface(const nlohmann::json& inputs) {
   }
   const BlendingKind kind = find_blending_family(inputs["B_function"].get<std::string>())->kind;
   return BlendingSurface::make(oracle_model(inputs["model"]), knots_u, knots_v, BlendingFunction::make(kind).value(),
-                               std::move(locals))
+                               std::move(locals), oracle_locals(inputs))
       .value();
 }
 
@@ -46,7 +82,7 @@ KnotVector knots(int n, Topology topology, double start, double end) {
 BlendingFunction polynomial2() { return BlendingFunction::make(BlendingKind::polynomial2).value(); }
 
 BlendingSurface torus3x4() {
-  const ModelSurface model = Torus{};
+  const ModelSurface model = torus_surface();
   const KnotVector u = knots(3, Topology::closed, 0, 2 * pi), v = knots(4, Topology::closed, 0, 2 * pi);
   return BlendingSurface::make(model, u, v, polynomial2(), BlendingSurface::unmoved_locals(model, u, v)).value();
 }
@@ -61,16 +97,15 @@ std::string error_path(const Result<BlendingSurface>& result) {
 
 }  // namespace
 
-TEST_CASE("oracle 07: blending surfaces of torus, plane and cylinder, both forms, all partials, normal, K and H") {
-  const nlohmann::json cases = load_oracle("07_blending_surface.json")["cases"];
+TEST_CASE("oracle 07: blending surfaces of every kind, both forms, all partials, normal, K and H") {
+  const nlohmann::json& cases = load_oracle("07_blending_surface.json")["cases"];
   std::set<std::string> done;
   for (const nlohmann::json& entry : cases) {
     const nlohmann::json& inputs = entry["inputs"];
-    // Bezier-Hermite locals and twisted closures are other surfaces.
-    if (inputs.contains("local_type") || inputs.contains("twist")) continue;
     const std::string name = entry["name"];
     CAPTURE(name);
     done.insert(name);
+    read_case(entry);
     const BlendingSurface surface = oracle_surface(inputs);
     CHECK(surface.knots_u().interval_count() == inputs["number_of_intervals"][0].get<int>());
     CHECK(surface.knots_v().interval_count() == inputs["number_of_intervals"][1].get<int>());
@@ -81,7 +116,7 @@ TEST_CASE("oracle 07: blending surfaces of torus, plane and cylinder, both forms
     for (const nlohmann::json& point : entry["points"]) {
       for (int k = 0; k < 6; ++k) scale[k] = std::max(scale[k], vector3(point[jet_names[k]]).norm());
     }
-    const bool flat = std::holds_alternative<Plane>(surface.model());
+    const bool flat = model_name(surface.model()) == "plane";
     const double cancelled = flat ? std::max({scale[3], scale[4], scale[5]}) : 0;
     REQUIRE(entry["points"].size() >= 9);
     for (const nlohmann::json& point : entry["points"]) {
@@ -103,6 +138,10 @@ TEST_CASE("oracle 07: blending surfaces of torus, plane and cylinder, both forms
       CHECK(close(c.mean, point["H"].get<double>(), oracle_tolerance, magnitude.mean));
     }
     for (const nlohmann::json& seam : entry["seam"]) {
+      if (seam.contains("u_star") || seam.contains("v_star")) {
+        check_twisted_seam(surface, seam);
+        continue;
+      }
       const bool in_u = seam.contains("u_end_equals_u_start_at_v");
       const KnotVector& wrapped = in_u ? surface.knots_u() : surface.knots_v();
       const double other = seam[in_u ? "u_end_equals_u_start_at_v" : "v_end_equals_v_start_at_u"];
@@ -115,7 +154,9 @@ TEST_CASE("oracle 07: blending surfaces of torus, plane and cylinder, both forms
   }
   CHECK(done == std::set<std::string>{"torus_3x3_one_patch_polynomial1", "torus_3x3_one_patch_expo_rational",
                                       "torus_3x3_corner_patch_affine", "torus_identity", "plane_3x3_one_patch",
-                                      "plane_4x5_two_patches", "cylinder_3x3_one_patch"});
+                                      "plane_4x5_two_patches", "cylinder_3x3_one_patch",
+                                      "torus_4x4_bezier_hermite_locals_2_2", "moebius_twisted_3x4",
+                                      "klein_figure8_twisted_4x4"});
 }
 
 TEST_CASE("locals are centred at the knots and start unmoved") {
@@ -193,48 +234,49 @@ TEST_CASE("make refuses what cannot be a blending surface, in words") {
   const KnotVector symmetric = knots(3, closed, -pi, pi), symmetric_open = knots(3, open, -pi, pi);
 
   SUBCASE("a wrong model") {
-    CHECK(error_path(make(Torus{1, -1, 1}, turn, turn)) == "model.tube_radius");
+    CHECK(error_path(make(torus_surface(1, -1, 1), turn, turn)) == "model.tubeRadius");
     CHECK(error_path(make(Sheet{2, 1}, symmetric, symmetric)) == "model.bend_u");
   }
   SUBCASE("a degree other than 1") {
     const KnotVector quadratic = KnotVector::uniform(2, 4, open, 0, 1).value();
-    CHECK(error_path(make(Plane{}, quadratic, unit)) == "knots_u");
-    CHECK(error_path(make(Plane{}, unit, quadratic)) == "knots_v");
+    CHECK(error_path(make(plane_surface(), quadratic, unit)) == "knots_u");
+    CHECK(error_path(make(plane_surface(), unit, quadratic)) == "knots_v");
   }
   SUBCASE("closing where the model is not closed") {
-    const Result<BlendingSurface> result = make(Plane{}, unit_closed, unit);
+    const Result<BlendingSurface> result = make(plane_surface(), unit_closed, unit);
     CHECK(error_path(result) == "knots_u");
     CHECK(result.error().message == "The plane is not closed in u, so the surface cannot be closed there.");
-    CHECK(error_path(make(Plane{}, unit, unit_closed)) == "knots_v");
-    CHECK(error_path(make(Cylinder{}, knots(3, closed, -0.5, 0.5), knots(3, closed, -1.5 * pi, 0.5 * pi))) ==
+    CHECK(error_path(make(plane_surface(), unit, unit_closed)) == "knots_v");
+    CHECK(error_path(make(cylinder_surface(), knots(3, closed, -0.5, 0.5), knots(3, closed, -1.5 * pi, 0.5 * pi))) ==
           "knots_u");
     CHECK(error_path(make(Sheet{0.999, 1}, symmetric, symmetric)) == "knots_u");
     CHECK(error_path(make(Sheet{1, 0}, symmetric, symmetric)) == "knots_v");
   }
   SUBCASE("opening is always possible") {
-    CHECK(error_path(make(Torus{}, turn_open, turn_open)) == "no error");
-    CHECK(error_path(make(Torus{}, turn, turn_open)) == "no error");
+    CHECK(error_path(make(torus_surface(), turn_open, turn_open)) == "no error");
+    CHECK(error_path(make(torus_surface(), turn, turn_open)) == "no error");
     CHECK(error_path(make(Sheet{}, symmetric_open, symmetric)) == "no error");
-    CHECK(error_path(make(Cylinder{}, knots(2, open, -0.5, 0.5), knots(3, open, -1.5 * pi, 0.5 * pi))) == "no error");
+    CHECK(error_path(make(cylinder_surface(), knots(2, open, -0.5, 0.5), knots(3, open, -1.5 * pi, 0.5 * pi))) ==
+          "no error");
   }
   SUBCASE("a part of the model's domain may be covered, not more than it") {
-    CHECK(error_path(make(Plane{}, knots(3, open, 0.25, 0.75), unit)) == "no error");
-    CHECK(error_path(make(Plane{}, knots(3, open, -0.1, 1), unit)) == "knots_u");
-    CHECK(error_path(make(Plane{}, unit, knots(3, open, 0, 1.1))) == "knots_v");
-    CHECK(error_path(make(Torus{}, knots(3, closed, 1, 1 + 2 * pi), turn)) == "knots_u");
+    CHECK(error_path(make(plane_surface(), knots(3, open, 0.25, 0.75), unit)) == "no error");
+    CHECK(error_path(make(plane_surface(), knots(3, open, -0.1, 1), unit)) == "knots_u");
+    CHECK(error_path(make(plane_surface(), unit, knots(3, open, 0, 1.1))) == "knots_v");
+    CHECK(error_path(make(torus_surface(), knots(3, closed, 1, 1 + 2 * pi), turn)) == "knots_u");
   }
   SUBCASE("a period that is not the model's") {
-    CHECK(error_path(make(Torus{}, knots(3, closed, 0, 6.28), turn)) == "knots_u");
-    CHECK(error_path(make(Torus{}, turn, knots(3, closed, 0, pi))) == "knots_v");
+    CHECK(error_path(make(torus_surface(), knots(3, closed, 0, 6.28), turn)) == "knots_u");
+    CHECK(error_path(make(torus_surface(), turn, knots(3, closed, 0, pi))) == "knots_v");
   }
   SUBCASE("knots that nearly coincide") {
     const KnotVector narrow = KnotVector::make(1, open, {0, 0, 0.5, 0.5 + 1e-12, 1, 1}).value();
-    CHECK(error_path(make(Plane{}, narrow, unit)) == "knots_u");
+    CHECK(error_path(make(plane_surface(), narrow, unit)) == "knots_u");
   }
   SUBCASE("a wrong number of locals") {
     for (const std::size_t n : {0u, 8u, 10u}) {
-      const Result<BlendingSurface> result =
-          BlendingSurface::make(Plane{}, unit, unit, polynomial2(), std::vector(n, Eigen::Affine3d::Identity()));
+      const Result<BlendingSurface> result = BlendingSurface::make(plane_surface(), unit, unit, polynomial2(),
+                                                                   std::vector(n, Eigen::Affine3d::Identity()));
       CHECK(error_path(result) == "locals");
       CHECK(result.error().message.find('9') != std::string::npos);
     }
@@ -244,12 +286,95 @@ TEST_CASE("make refuses what cannot be a blending surface, in words") {
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
       std::vector<Eigen::Affine3d> locals(9, Eigen::Affine3d::Identity());
       locals[4].matrix()(2, 3) = bad;
-      CHECK(error_path(BlendingSurface::make(Plane{}, unit, unit, polynomial2(), locals)) == "locals[4]");
+      CHECK(error_path(BlendingSurface::make(plane_surface(), unit, unit, polynomial2(), locals)) == "locals[4]");
     }
     std::vector<Eigen::Affine3d> locals(9, Eigen::Affine3d::Identity());
     locals[7].matrix()(3, 0) = 1;
-    CHECK(error_path(BlendingSurface::make(Plane{}, unit, unit, polynomial2(), locals)) == "locals[7]");
+    CHECK(error_path(BlendingSurface::make(plane_surface(), unit, unit, polynomial2(), locals)) == "locals[7]");
   }
+}
+
+TEST_CASE("a twisted closure needs symmetric knots and a symmetric B-function") {
+  const ModelSurface strip = make_catalogue_surface("moebius").value();
+  const KnotVector v = knots(3, Topology::closed, -0.5 * pi, 1.5 * pi),
+                   v_open = knots(3, Topology::open, -0.5 * pi, 1.5 * pi);
+  const KnotVector lopsided = KnotVector::make(1, Topology::open, {-1, -1, 0.1, 1, 1}).value();
+  const KnotVector symmetric = KnotVector::make(1, Topology::open, {-0.5, -0.5, -0.1, 0.1, 0.5, 0.5}).value();
+  CHECK(error_path(make(strip, symmetric, v)) == "no error");
+  CHECK(error_path(make(strip, lopsided, v_open)) == "no error");
+  const Result<BlendingSurface> refused = make(strip, lopsided, v);
+  CHECK(error_path(refused) == "knots_u");
+  CHECK(refused.error().message == "Going round the Möbius strip in v reflects these knots: they must be symmetric.");
+  CHECK(error_path(make(strip, knots(3, Topology::closed, -1, 1), v)) == "knots_u");
+
+  const ModelSurface bottle = make_catalogue_surface("klein-bottle").value();
+  const KnotVector u = knots(3, Topology::closed, 0, 2 * pi);
+  // sigma(v) = pi - v, modulo 2 pi: only an even number of equal intervals is mapped onto itself.
+  for (int n = 2; n <= 7; ++n) {
+    CHECK(error_path(make(bottle, u, knots(n, Topology::closed, 0, 2 * pi))) == (n % 2 == 0 ? "no error" : "knots_v"));
+  }
+  CHECK(error_path(make(bottle, u, knots(4, Topology::open, 0, 2 * pi))) == "knots_v");
+  // sigma(v) = -v is 2 pi - v: symmetric about the middle of the domain too.
+  const ModelSurface eight = make_catalogue_surface("figure-eight-klein-bottle").value();
+  const BlendingSurface cut = make(eight, u, knots(4, Topology::open, 0, 2 * pi)).value();
+  CHECK(close(cut.twist_u()->reflection, 2 * pi, 1e-15));
+  CHECK(cut.wrapped(3, 1) == std::pair(0, 2));
+
+  const BlendingFunction lopsided_b = BlendingFunction::make(ExpoRationalParameters{1, 1, 2, 0.4}).value();
+  const auto with = [&](const KnotVector& turn) {
+    return BlendingSurface::make(strip, symmetric, turn, lopsided_b,
+                                 BlendingSurface::unmoved_locals(strip, symmetric, turn));
+  };
+  CHECK(error_path(with(v)) == "blending");
+  CHECK(error_path(with(v_open)) == "no error");
+}
+
+TEST_CASE("index n is index 0 again, the other one reflected at a twisted seam") {
+  const BlendingSurface torus = torus3x4();
+  CHECK(torus.wrapped(3, 4) == std::pair(0, 0));
+  CHECK(torus.wrapped(3, 2) == std::pair(0, 2));
+  CHECK_FALSE(torus.twist_u().has_value());
+  const KnotVector u = knots(5, Topology::open, -1, 1), v = knots(3, Topology::closed, -0.5 * pi, 1.5 * pi);
+  const BlendingSurface strip = make(make_catalogue_surface("moebius").value(), u, v).value();
+  CHECK(strip.wrapped(1, 3) == std::pair(3, 0));
+  CHECK(strip.wrapped(1, 2) == std::pair(1, 2));
+  REQUIRE(strip.twist_v().has_value());
+  CHECK(strip.twist_v()->reflection == 0);
+  CHECK(strip.twist_v()->mirror == 4);
+}
+
+TEST_CASE("Bezier-Hermite locals have degrees from 1 to 3") {
+  const KnotVector unit = knots(3, Topology::open, 0, 1);
+  const auto path = [&](int degree_u, int degree_v) {
+    const ModelSurface model = plane_surface();
+    return error_path(BlendingSurface::make(model, unit, unit, polynomial2(),
+                                            BlendingSurface::unmoved_locals(model, unit, unit),
+                                            {LocalSurfaceKind::bezier_hermite, degree_u, degree_v}));
+  };
+  CHECK(path(1, 3) == "no error");
+  CHECK(path(0, 3) == "shape.degree_u");
+  CHECK(path(4, 3) == "shape.degree_u");
+  CHECK(path(2, 0) == "shape.degree_v");
+  CHECK(path(2, 4) == "shape.degree_v");
+}
+
+TEST_CASE("non-uniform knots: locals are centred at them, closed ones with t_0 and t_(n+2) of the period") {
+  const double turn = 2 * pi;
+  const std::vector<double> inner{0, 1, 1.5, 4, turn};
+  std::vector<double> t = inner;
+  t.insert(t.begin(), inner[0] - (inner[4] - inner[3]));
+  t.push_back(inner[4] + (inner[1] - inner[0]));
+  const KnotVector uneven = KnotVector::make(1, Topology::closed, t).value();
+  const ModelSurface model = torus_surface();
+  BlendingSurface surface = make(model, uneven, uneven).value();
+  for (int i = 0; i < 4; ++i) {
+    CHECK(surface.centre(i, 3 - i) ==
+          Eigen::Vector2d(inner[static_cast<std::size_t>(i)], inner[static_cast<std::size_t>(3 - i)]));
+    surface.set_local(i, 0, Eigen::Affine3d(Eigen::Translation3d(i, 0, 0)));
+    CHECK(close(surface.evaluate(uneven[i + 1], 0).s, {static_cast<double>(i), 0, 0}, 1e-14, 1));
+  }
+  t.front() -= 0.1;
+  CHECK_FALSE(KnotVector::make(1, Topology::closed, t).has_value());
 }
 
 }  // namespace knotwork::blending_surface_test

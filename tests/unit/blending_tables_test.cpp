@@ -1,6 +1,7 @@
 #include "knotwork/mesh/blending_tables.h"
 
 #include <numbers>
+#include <string>
 
 #include "unit/oracle.h"
 
@@ -12,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
-  const ModelSurface model = Torus{1, 0.4, 0.6};
+  const ModelSurface model = torus_surface(1, 0.4, 0.6);
   const KnotVector u = KnotVector::uniform(1, 3, topology_u, 0, 2 * pi).value();
   const KnotVector v = KnotVector::uniform(1, 4, topology_v, 0, 2 * pi).value();
   BlendingSurface surface =
@@ -28,14 +29,14 @@ BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
 struct ShaderVertex {
   Eigen::Vector3f s, su, sv;
 };
-ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int n_v, std::size_t a,
+ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int columns, std::size_t a,
                    std::size_t b) {
   const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
   const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.rows) + b);
   using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
   const auto map = [&](float i, float j) {
     return Map(Eigen::Map<const Map>(
-        &maps[12 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(n_v) + static_cast<std::size_t>(j))]));
+        &maps[12 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(j))]));
   };
   const Map m00 = map(bu[2], bv[2]), m01 = map(bu[2], bv[3]), m10 = map(bu[3], bv[2]), m11 = map(bu[3], bv[3]);
   const Map low = (1 - bv[0]) * m00 + bv[0] * m01, high = (1 - bv[0]) * m10 + bv[0] * m11;
@@ -70,6 +71,70 @@ TEST_CASE("the shader's arithmetic on the tables gives the surface to float prec
           REQUIRE(close(vertex.su.cast<double>(), jet.su, 2e-6, 1));
           REQUIRE(close(vertex.sv.cast<double>(), jet.sv, 2e-6, 1));
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("the shader's arithmetic over twisted seams: the model's point is shared, only the map is another's") {
+  const double turn = 2 * pi;
+  struct Row {
+    const char* model;
+    KnotVector u, v;
+    int maps_u, maps_v;
+  };
+  const auto even = [](int n, Topology topology, double start, double end) {
+    return KnotVector::uniform(1, n, topology, start, end).value();
+  };
+  const Row rows[] = {
+      {"moebius", even(3, Topology::open, -1, 1), even(4, Topology::closed, -0.5 * pi, 1.5 * pi), 3, 5},
+      {"figure-eight-klein-bottle", even(4, Topology::closed, 0, turn), even(3, Topology::closed, 0, turn), 5, 3},
+      {"klein-bottle", even(3, Topology::closed, 0, turn), even(4, Topology::closed, 0, turn), 4, 4},
+      {"cross-cap", even(3, Topology::closed, 0, pi), even(3, Topology::closed, 0, pi), 3, 4},
+      {"moebius", even(3, Topology::open, -1, 1), even(4, Topology::open, -0.5 * pi, 1.5 * pi), 3, 4},
+  };
+  for (const Row& row : rows) {
+    for (const LocalSurfaceKind kind : {LocalSurfaceKind::sub_surface, LocalSurfaceKind::bezier_hermite}) {
+      CAPTURE(row.model);
+      const ModelSurface model = make_catalogue_surface(row.model).value();
+      BlendingSurface surface =
+          BlendingSurface::make(model, row.u, row.v, BlendingFunction::make(BlendingKind::polynomial2).value(),
+                                BlendingSurface::unmoved_locals(model, row.u, row.v), {kind, 2, 3})
+              .value();
+      surface.set_local(0, 0, Eigen::Affine3d(Eigen::Translation3d(0.2, 0, 0.3) * surface.local(0, 0)));
+      surface.set_local(2, 2, Eigen::Affine3d(surface.local(2, 2) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX())));
+      const BlendingTables tables = blending_tables(surface, 24, 20);
+      const MapCounts counts = map_counts(surface);
+      CHECK(counts.u == row.maps_u);
+      CHECK(counts.v == row.maps_v);
+      CHECK(tables_follow_maps(surface) == (kind == LocalSurfaceKind::bezier_hermite));
+      const std::vector<float> maps = map_table(surface);
+      REQUIRE(maps.size() == static_cast<std::size_t>(12 * counts.u * counts.v));
+      for (std::size_t a = 0; a < tables.u.size(); ++a) {
+        for (std::size_t b = 0; b < tables.v.size(); ++b) {
+          CAPTURE(a);
+          CAPTURE(b);
+          const SurfaceJet jet = surface.evaluate(tables.u[a], tables.v[b]);
+          const ShaderVertex vertex = shade(tables, maps, counts.v, a, b);
+          REQUIRE(close(vertex.s.cast<double>(), jet.s, 1e-6, 2));
+          // The classic Klein bottle's partials jump where its pieces meet.
+          if (row.model == std::string("klein-bottle")) continue;
+          REQUIRE(close(vertex.su.cast<double>(), jet.su, 3e-6, 4));
+          REQUIRE(close(vertex.sv.cast<double>(), jet.sv, 3e-6, 4));
+          // The hues' weights: of the very locals that the CPU names.
+          const auto weights = surface.weights(tables.u[a], tables.v[b]);
+          double sum = 0;
+          for (const BlendingSurface::Weight& w : weights) sum += w.value;
+          REQUIRE(close(sum, 1, 1e-14));
+        }
+      }
+      // Beyond a twisted seam the maps are those of the reflected locals.
+      if (kind == LocalSurfaceKind::sub_surface && surface.twist_v()) {
+        const auto row_of_maps = static_cast<std::size_t>(12 * counts.v);
+        const std::size_t seam = 12 * static_cast<std::size_t>(row.v.count());
+        const int image = surface.wrapped(0, row.v.count()).first;
+        for (std::size_t k = 0; k < 12; ++k)
+          CHECK(maps[seam + k] == maps[static_cast<std::size_t>(image) * row_of_maps + k]);
       }
     }
   }

@@ -32,7 +32,7 @@ inline std::vector<Eigen::Vector3d> vectors(const nlohmann::json& list) {
 /// All curves of oracle 01 (open) or 02 (closed); none when the file cannot be read.
 inline std::vector<CurveOracle> curve_oracles(Topology topology) {
   const bool open = topology == Topology::open;
-  const nlohmann::json oracle = load_oracle(open ? "01_bspline_clamped.json" : "02_bspline_periodic.json");
+  const nlohmann::json& oracle = load_oracle(open ? "01_bspline_clamped.json" : "02_bspline_periodic.json");
   std::vector<CurveOracle> curves;
   if (!oracle.contains("cases")) return curves;
   for (const nlohmann::json& entry : oracle["cases"]) {
@@ -43,6 +43,7 @@ inline std::vector<CurveOracle> curve_oracles(Topology topology) {
                                                                                 : entry["control_points"];
     const KnotVector knots =
         KnotVector::make(inputs["degree"].get<int>(), topology, inputs["knots"].get<std::vector<double>>()).value();
+    read_case(entry);
     curves.push_back({entry["name"].get<std::string>(), BSplineCurve::make(knots, vectors(points)).value(), inputs,
                       entry["points"]});
   }
@@ -59,7 +60,7 @@ struct SurfaceOracle {
 /// All surfaces of oracle 13; none when the file cannot be read. Closed in u where its name says so: the net then has
 /// the first rows again at its end.
 inline std::vector<SurfaceOracle> surface_oracles() {
-  const nlohmann::json oracle = load_oracle("13_tensor_surfaces.json");
+  const nlohmann::json& oracle = load_oracle("13_tensor_surfaces.json");
   std::vector<SurfaceOracle> surfaces;
   if (!oracle.contains("cases")) return surfaces;
   for (const nlohmann::json& entry : oracle["cases"]) {
@@ -75,6 +76,7 @@ inline std::vector<SurfaceOracle> surface_oracles() {
     for (std::size_t i = 0; i < static_cast<std::size_t>(u.count()); ++i) {
       for (const nlohmann::json& point : inputs["control_net_[i][j]"][i]) points.push_back(vector3(point));
     }
+    read_case(entry);
     surfaces.push_back(
         {name, BSplineSurface::make(u, knots("v", Topology::open), std::move(points)).value(), entry["points"]});
   }

@@ -5,8 +5,12 @@
 
 #include <doctest/doctest.h>
 
+#include "knotwork/scene/blending_curve_figure.h"
 #include "knotwork/scene/curve_figure.h"
 #include "knotwork/scene/document_json.h"
+#include "knotwork/scene/model_curve_figure.h"
+#include "knotwork/scene/model_figure.h"
+#include "knotwork/scene/net_figure.h"
 #include "knotwork/scene/parameters.h"
 #include "knotwork/scene/surface_builder.h"
 
@@ -27,6 +31,14 @@ TEST_CASE("chapters: every row opens a document that is valid, can be saved and 
     const Shape& shape = stage_shape(document);
     if (const auto* surface = std::get_if<BlendingSurfaceObject>(&shape))
       CHECK(build_surface(*surface, document.animation).evaluate(0, 0).s.allFinite());
+    else if (const auto* model = std::get_if<ModelCurveObject>(&shape))
+      CHECK(ModelCurveFigure(*model).point.allFinite());
+    else if (const auto* blending = std::get_if<BlendingCurveObject>(&shape))
+      CHECK(BlendingCurveFigure(*blending, document.animation).point.allFinite());
+    else if (const auto* net = std::get_if<BSplineSurfaceObject>(&shape))
+      CHECK(NetFigure(*net).surface.evaluate(0.3, 0.4).s.allFinite());
+    else if (const auto* alone = std::get_if<ModelSurfaceObject>(&shape))
+      CHECK(ModelFigure(alone->model).evaluate(0.3, 0.4).s.allFinite());
     else
       CHECK(spline_of(shape)(0.3).allFinite());
     CHECK_FALSE(chapter.parameters.empty());

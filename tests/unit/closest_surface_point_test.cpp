@@ -25,7 +25,7 @@ struct Ball {
   double radius;
   SurfaceJet evaluate(double u, double v) const { return sphere(radius, u, v); }
 };
-constexpr SurfaceDomain ball_domain{{0, 2 * pi}, {-pi / 2, pi / 2}, Topology::closed, Topology::open};
+constexpr SurfaceDomain ball_domain{{0, 2 * pi}, {-pi / 2, pi / 2}, Closure::closed, Closure::open};
 
 ClosestSurfacePoint nearest(const SurfaceView& surface, const Eigen::Vector3d& point) {
   return closest_point(surface, point).value();
@@ -34,8 +34,8 @@ ClosestSurfacePoint nearest(const SurfaceView& surface, const Eigen::Vector3d& p
 /// The least distance to n x n points, the best of them improved by a pattern search.
 double brute_distance(const SurfaceView& surface, const Eigen::Vector3d& point, int n) {
   const SurfaceDomain& where = surface.domain;
-  const auto inside = [](double x, const Interval& domain, Topology closure) {
-    if (closure == Topology::open) return std::clamp(x, domain.start, domain.end);
+  const auto inside = [](double x, const Interval& domain, Closure closure) {
+    if (closure == Closure::open) return std::clamp(x, domain.start, domain.end);
     const double length = domain.end - domain.start;
     return x < domain.start ? x + length : x > domain.end ? x - length : x;
   };
@@ -67,7 +67,7 @@ double brute_distance(const SurfaceView& surface, const Eigen::Vector3d& point, 
 }  // namespace
 
 TEST_CASE("the closest point of a torus is known") {
-  const ModelSurface torus = Torus{1, 0.4, 0.4};
+  const ModelSurface torus = torus_surface(1, 0.4, 0.4);
   for (int k = 0; k < 60; ++k) {
     const double u = 0.1 * k + 0.02, v = std::fmod(0.37 * k + 0.01, 2 * pi), r = 0.05 + 0.02 * k;
     // On the circle of radius r about the tube's middle: the nearest point stands before it, while r < the wheel.
@@ -89,7 +89,7 @@ TEST_CASE("poles, edges, ties, and the whole surface equally near") {
   CHECK(close(nearest(view, {0, 0, 0}).distance, 2, 1e-14));
   CHECK(nearest(view, {0, 0, 0}).u == 0);
   CHECK(nearest(view, {0, 0, 0}).v == -pi / 2);
-  const ModelSurface plane = Plane{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  const ModelSurface plane = plane_surface({0, 0, 0}, {2, 0, 0}, {0, 2, 0});
   const ClosestSurfacePoint corner = nearest(surface_view(plane), {-1, 3, 1});
   CHECK(corner.u == 0);
   CHECK(corner.v == 1);
@@ -98,7 +98,7 @@ TEST_CASE("poles, edges, ties, and the whole surface equally near") {
   CHECK(close(edge.u, 0.305, 1e-14));
   CHECK(edge.v == 1);
   // Two opposite points of a cylinder: the first in u, then in v.
-  const ModelSurface tube = Cylinder{1, 2, 4};
+  const ModelSurface tube = cylinder_surface(1, 2, 4);
   const ClosestSurfacePoint tie = nearest(surface_view(tube), {0, 0, 1});
   CHECK(close(tie.u, 0.25, 1e-14));
   CHECK(close(tie.v, -1.5 * pi, 1e-13));
@@ -107,7 +107,7 @@ TEST_CASE("poles, edges, ties, and the whole surface equally near") {
 TEST_CASE("no point of random surfaces is nearer than the closest point") {
   std::mt19937 random(81);
   const KnotVector closed = KnotVector::uniform(1, 4, Topology::closed, 0, 2 * pi).value();
-  const ModelSurface model = Torus{1, 0.4, 0.6};
+  const ModelSurface model = torus_surface(1, 0.4, 0.6);
   const BlendingFunction blending = BlendingFunction::make(BlendingKind::polynomial2).value();
   int compared = 0;
   for (int k = 0; k < 12; ++k) {
@@ -135,7 +135,7 @@ TEST_CASE("no point of random surfaces is nearer than the closest point") {
 }
 
 TEST_CASE("a point that is no point is refused") {
-  const ModelSurface tube = Cylinder{1, 2, 4};
+  const ModelSurface tube = cylinder_surface(1, 2, 4);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), -1e101})
     CHECK(closest_point(surface_view(tube), {0, bad, 0}).error().path == "point");

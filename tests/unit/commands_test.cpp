@@ -113,7 +113,7 @@ TEST_CASE("commands: a document is checked before it is loaded") {
   blending_surface(counts).locals_v = 1000000000;
   CHECK(refusal(start(), LoadDocument{counts}).path == "objects[0].locals.v");
   Document closed = other;
-  blending_surface(closed).model = Cylinder{};
+  blending_surface(closed).model = cylinder_surface();
   CHECK(refusal(start(), LoadDocument{closed}).path == "objects[0].topology.u");
   Document index = other;
   blending_surface(index).edits[{200, 0}].translation.x() = 1;
@@ -161,7 +161,8 @@ TEST_CASE("commands: a model that cannot stay closed says what it opens") {
   CHECK(notice(document, SetParameter{"model", "plane"}) == "The plane is not closed in u and v, so u and v open.");
   CHECK(notice(document, SetParameter{"model", "cylinder"}) == "The cylinder is not closed in u, so u opens.");
   CHECK(notice(document, SetParameter{"model", "torus"}).empty());
-  CHECK(notice(document, SetParameter{"model", "sphere"}).empty());
+  CHECK(notice(document, SetParameter{"model", "sphere"}) == "The sphere is not closed in v, so v opens.");
+  CHECK(notice(document, SetParameter{"model", "teapot"}).empty());
   CHECK(notice(document, SetParameter{"locals.u", 3.0}).empty());
   CHECK(notice(document, ResetPatches{}).empty());
 }

@@ -59,10 +59,11 @@ Bending bending(const Derivatives& c) {
 }  // namespace
 
 TEST_CASE("oracle 09: the curves with three derivatives, curvature, torsion, domain and closure") {
-  const nlohmann::json curves = load_oracle("09_catalog.json")["curves"];
+  const nlohmann::json& curves = load_oracle("09_catalog.json")["curves"];
   REQUIRE(curves.size() == 18);
   std::set<std::string> seen;
   for (const nlohmann::json& oracle : curves) {
+    read_case(oracle);
     const std::string name = oracle["name"];
     CAPTURE(name);
     REQUIRE(catalogued.count(name) == 1);

@@ -219,4 +219,28 @@ TEST_CASE("curve edits: as commands each is one step of the history") {
   CHECK_FALSE(apply(surface, SetPoint{0, {0, 0, 0}}));
 }
 
+TEST_CASE("curve edits: ends are clamped or not, under the same points") {
+  BSplineCurveObject curve = report_curve();
+  const BSplineCurveObject start = curve;
+  CHECK(is_clamped(curve));
+  REQUIRE(set_clamped(curve, false));
+  CHECK(curve.points == start.points);
+  CHECK(curve.knots == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  CHECK_FALSE(is_clamped(curve));
+  CHECK(knots_are_even(curve));
+  // Nothing holds the curve at its ends any more, and what is added keeps it so.
+  const BSplineCurve loose = build_curve(curve).value();
+  CHECK((loose(3) - curve.points.front()).norm() > 0.1);
+  Shape shape = curve;
+  REQUIRE(insert_point(shape, 3, {0, 0, 0}));
+  CHECK(std::get_if<BSplineCurveObject>(&shape)->knots.back() == 11);
+  REQUIRE(set_degree(curve, 2));
+  CHECK_FALSE(is_clamped(curve));
+  curve.knots[4] = 3.5;
+  CHECK_FALSE(knots_are_even(curve));
+  REQUIRE(set_degree(curve, 3));
+  REQUIRE(set_clamped(curve, true));
+  CHECK(curve == start);
+}
+
 }  // namespace knotwork::scene::curve_edits_test

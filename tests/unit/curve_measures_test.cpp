@@ -49,7 +49,8 @@ Derivatives reparameterised(const Derivatives& c, double a, double b, double d) 
 }  // namespace
 
 TEST_CASE("oracle 08: Frenet frames, speed, curvature and torsion of the report's model curve") {
-  const nlohmann::json frames = load_oracle("08_differential_geometry.json")["cases"]["report_model_curve"]["frenet"];
+  const nlohmann::json& frames =
+      read_case(load_oracle("08_differential_geometry.json")["cases"]["report_model_curve"])["frenet"];
   REQUIRE(frames.size() == 21);
   const WaveCurve curve = report_model();
   for (const nlohmann::json& at : frames) {
@@ -75,10 +76,10 @@ TEST_CASE("oracle 08: Frenet frames, speed, curvature and torsion of the report'
 }
 
 TEST_CASE("oracle 08: helix, circle and the report's clamped cubic") {
-  const nlohmann::json cases = load_oracle("08_differential_geometry.json")["cases"];
+  const nlohmann::json& cases = load_oracle("08_differential_geometry.json")["cases"];
   REQUIRE(cases.contains("helix_1_0.25_0_4pi"));
-  const nlohmann::json &coil = cases["helix_1_0.25_0_4pi"], &ring = cases["circle_radius_5"];
-  const nlohmann::json& spline = cases["report_clamped_cubic_bspline"];
+  const nlohmann::json &coil = read_case(cases["helix_1_0.25_0_4pi"]), &ring = read_case(cases["circle_radius_5"]);
+  const nlohmann::json& spline = read_case(cases["report_clamped_cubic_bspline"]);
   const WaveCurve left_out = helix(1, 1, 0.25, 2), flat = circle(5);
   for (int k = 0; k < 20; ++k) {
     CHECK(close(curvature(derivatives(left_out, 0.6 * k)), coil["curvature"].get<double>(), oracle_tolerance));
@@ -86,7 +87,7 @@ TEST_CASE("oracle 08: helix, circle and the report's clamped cubic") {
     CHECK(close(curvature(derivatives(flat, 0.3 * k)), ring["curvature"].get<double>(), oracle_tolerance));
     CHECK(close(torsion(derivatives(flat, 0.3 * k)), 0, oracle_tolerance, 0.2));
   }
-  const nlohmann::json inputs = load_oracle("01_bspline_clamped.json")["cases"][0]["inputs"];
+  const nlohmann::json& inputs = load_oracle("01_bspline_clamped.json")["cases"][0]["inputs"];
   std::vector<Eigen::Vector3d> points;
   for (const nlohmann::json& point : inputs["control_points"]) points.push_back(vector3(point));
   const KnotVector knots = KnotVector::make(3, Topology::open, inputs["knots"].get<std::vector<double>>()).value();
@@ -102,7 +103,7 @@ TEST_CASE("oracle 08: helix, circle and the report's clamped cubic") {
 }
 
 TEST_CASE("oracle 09: curvature and torsion of every curve of the catalogue, from its derivatives") {
-  const nlohmann::json curves = load_oracle("09_catalog.json")["curves"];
+  const nlohmann::json& curves = load_oracle("09_catalog.json")["curves"];
   REQUIRE(curves.size() == 18);
   int points = 0;
   for (const nlohmann::json& curve : curves) {

@@ -73,6 +73,8 @@ class SchemaComparison {
   void group(std::string_view name, F visit) {
     const Json& schema = member(name);
     if (!schema.contains("oneOf")) return object(schema, visit);
+    if (find_catalogue_curve(schema["oneOf"][0]["properties"]["kind"]["const"].get<std::string>()) != nullptr)
+      return curves(schema);
     // A model: every alternative, by its kind.
     expect(schema["oneOf"].size() == model_kinds().size(), "oneOf");
     for (const ModelRow& row : model_kinds()) {
@@ -81,6 +83,19 @@ class SchemaComparison {
         const ModelSurface model = make_model(row.kind);
         object(alternative, [&] { members(*this, model); });
         ++models_;
+      }
+    }
+  }
+
+  /// A curve of the catalogue: every alternative, by its kind.
+  void curves(const Json& schema) {
+    expect(schema["oneOf"].size() == curve_catalogue().size(), "oneOf");
+    for (std::size_t row = 0; row < curve_catalogue().size(); ++row) {
+      for (const Json& alternative : schema["oneOf"]) {
+        if (alternative["properties"]["kind"]["const"] != std::string(curve_catalogue()[row].id)) continue;
+        const CatalogueCurve curve = standard_curve(static_cast<int>(row));
+        object(alternative, [&] { members(*this, curve); });
+        ++curves_;
       }
     }
   }
@@ -114,6 +129,14 @@ class SchemaComparison {
     numeric(schema.value("items", Json::object()), "number", limits::coordinate);
   }
 
+  void net(std::string_view name, const Net&, const Limits& count) {
+    const Json& schema = member(name);
+    counted(schema, count);
+    const Json row = schema.value("items", Json::object());
+    counted(row, count);
+    numbers(resolved(row.value("items", Json::object())), 3, limits::coordinate);
+  }
+
   void patches(std::string_view name, const std::map<PatchIndex, PatchEdit>&, const Limits& count) {
     const Json& schema = member(name);
     counted(schema, count);
@@ -124,7 +147,8 @@ class SchemaComparison {
 
   int compared() const { return compared_; }
   int models() const { return models_; }
-  int shapes() const { return shapes_; }
+  std::size_t shapes() const { return shapes_; }
+  int curves() const { return curves_; }
   const std::string& differences() const { return differences_; }
 
  private:
@@ -167,7 +191,8 @@ class SchemaComparison {
   const Json* schema_;
   std::set<std::string> names_;
   std::string last_, differences_;
-  int compared_ = 0, models_ = 0, shapes_ = 0;
+  int compared_ = 0, models_ = 0, curves_ = 0;
+  std::size_t shapes_ = 0;
 };
 
 Json load_schema() {
@@ -191,8 +216,9 @@ TEST_CASE("document schema: members, limits and choices are those of the code") 
   const Document document;
   comparison.object(schema, [&] { members(comparison, document); });
   CHECK(comparison.differences() == "");
-  CHECK(comparison.models() == 4);
-  CHECK(comparison.shapes() == 3);
+  CHECK(comparison.models() == 2 * static_cast<int>(model_kinds().size()));
+  CHECK(comparison.shapes() == shape_kinds().size());
+  CHECK(comparison.curves() == 2 * 17);  // alone, and under a blending curve
   CHECK(comparison.compared() > 150);
 }
 

@@ -6,6 +6,14 @@
 
 namespace knotwork::test {
 
+/// In debug builds, from here on a NaN, an infinity or a division by zero stops the test at the operation that made it,
+/// not where it shows.
+inline void trap_float_errors() {
+#if defined(__GLIBC__) && !defined(NDEBUG)
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+#endif
+}
+
 /// While it lives, floating-point traps that main() has turned on are off. For texts with numbers such as 1e999: the
 /// C library's strtod answers them with an overflow, which is what the code under test looks at.
 class FloatTrapsOff {

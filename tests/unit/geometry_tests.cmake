@@ -1,6 +1,7 @@
 # Paths relative to tests/. unit/main.cpp holds the one main() and is not listed.
 set(KNOTWORK_GEOMETRY_TESTS
   unit/arc_length_test.cpp
+  unit/bad_input_test.cpp
   unit/bernstein_test.cpp
   unit/bezier_curve_test.cpp
   unit/bezier_surface_test.cpp
@@ -21,6 +22,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/knot_vector_test.cpp
   unit/lane_riesenfeld_test.cpp
   unit/least_squares_test.cpp
+  unit/mixed_partials_test.cpp
   unit/model_surface_test.cpp
   unit/moving_frame_test.cpp
   unit/oracle_test.cpp
@@ -28,6 +30,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/parametric_curve_test.cpp
   unit/result_test.cpp
   unit/schoenberg_whitney_test.cpp
+  unit/scipy_reference_test.cpp
   unit/spline_pieces_test.cpp
   unit/surface_area_test.cpp
   unit/surface_catalogue_test.cpp
@@ -44,4 +47,5 @@ set(KNOTWORK_GEOMETRY_TESTS
   property/model_surface_laws_test.cpp
   property/surface_catalogue_laws_test.cpp
   property/surface_sampling_laws_test.cpp
+  unit/curve_fit_test.cpp
 )

@@ -144,7 +144,7 @@ TEST_CASE("Shift in the middle of a drag goes along the normal, without a jump")
   Reader reader;
   const scene::PatchIndex patch = reader.visible_handle(1);
   const glm::dvec2 grab = reader.at(patch) + glm::dvec2(3, 2);
-  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(reader.surface, patch))[2];
+  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(reader.surface(), patch))[2];
   reader.down(grab);
   reader.move(grab + glm::dvec2(40, 10));
   const glm::dvec3 in_plane = reader.origin(patch);
@@ -212,7 +212,7 @@ TEST_CASE("pointercancel and Escape put the document back") {
       const scene::Document before = reader.document;
       glm::dvec2 grab = reader.at(patch);
       if (gizmo) {
-        for (const GizmoStroke& stroke : make_gizmo(reader.surface, reader.object(), patch, reader.view).strokes) {
+        for (const GizmoStroke& stroke : make_gizmo(reader.surface(), reader.object(), patch, reader.view).strokes) {
           if (stroke.part == GizmoPart::scale_u && stroke.radius > 0) grab = *reader.view.project(stroke.points[0]);
         }
       }
@@ -518,7 +518,7 @@ TEST_CASE("hovering finds handle, gizmo and surface, and redraws only for a chan
   reader.move(beside);
   CHECK_FALSE(reader.state.hovered.has_value());
   if (reader.state.probe) {
-    const SurfaceJet jet = reader.surface.evaluate(reader.state.probe->x, reader.state.probe->y);
+    const SurfaceJet jet = reader.surface().evaluate(reader.state.probe->x, reader.state.probe->y);
     CHECK(gap(glm::dvec2(*reader.view.project(to_glm(jet.s))), beside) < 1e-4);
   }
 
@@ -528,7 +528,7 @@ TEST_CASE("hovering finds handle, gizmo and surface, and redraws only for a chan
   CHECK(std::string(cursor(reader.state)) == "default");
 
   reader.tap(at);
-  const Gizmo gizmo = make_gizmo(reader.surface, reader.object(), patch, reader.view);
+  const Gizmo gizmo = make_gizmo(reader.surface(), reader.object(), patch, reader.view);
   for (const GizmoStroke& stroke : gizmo.strokes) {
     if (stroke.radius == 0) continue;
     reader.move(glm::dvec2(*reader.view.project(stroke.points[0])));
@@ -563,7 +563,7 @@ TEST_CASE("of two handles the visible one is held, then the nearer") {
   };
   const auto held = [&](std::vector<Handle> handles) {
     InteractionState state;
-    const Stage stage{reader.document, &reader.surface, nullptr, reader.net, reader.view, handles};
+    const Stage stage{reader.document, reader.figure, scene::stage_shape(reader.document), reader.view, handles};
     pointer(state, stage, {PointerType::down, 1, reader.device, at, 0, {}, 0});
     return state.selected;
   };
@@ -610,7 +610,7 @@ TEST_CASE("the gizmo turns, scales and moves the selected patch, one entry each"
     const scene::PatchEdit before = reader.edit(patch);
     const scene::Document untouched = reader.document;
     std::optional<glm::dvec2> grab;
-    const Gizmo gizmo = make_gizmo(reader.surface, reader.object(), patch, reader.view);
+    const Gizmo gizmo = make_gizmo(reader.surface(), reader.object(), patch, reader.view);
     for (const GizmoStroke& stroke : gizmo.strokes) {
       for (const glm::dvec3& point : stroke.points) {
         const glm::dvec2 at(*reader.view.project(point));
@@ -639,8 +639,8 @@ TEST_CASE("the handle at the gizmo's middle can be held whatever the rings do") 
   // From straight above, the rings about u and v are lines through the handle.
   Reader reader;
   const scene::PatchIndex patch{1, 1};
-  const Eigen::Vector3d d = scene::patch_frame(reader.surface, patch).col(2);
-  reader.document.camera = {scene::patch_origin(reader.surface, patch), 3, std::atan2(d.y(), d.x()),
+  const Eigen::Vector3d d = scene::patch_frame(reader.surface(), patch).col(2);
+  reader.document.camera = {scene::patch_origin(reader.surface(), patch), 3, std::atan2(d.y(), d.x()),
                             std::clamp(std::asin(d.z()), -1.55, 1.55)};
   reader.draw();
   reader.happen(select(reader.state, reader.stage(), patch));
@@ -672,7 +672,7 @@ TEST_CASE("arrow keys move the selected patch on the screen") {
   reader.modifiers.shift = false;
   const glm::dvec3 before = reader.origin(patch);
   reader.type("PageUp");
-  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(reader.surface, patch))[2];
+  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(reader.surface(), patch))[2];
   CHECK(glm::dot(reader.origin(patch) - before, normal) > 0);
   reader.type("PageDown");
   // Every key is a step of history of its own.

@@ -77,10 +77,11 @@ constexpr Topology topologies[] = {Topology::open, Topology::closed};
 }  // namespace
 
 TEST_CASE("subdivision meets oracle 04, without any rounding") {
-  const nlohmann::json oracle = load_oracle("04_lane_riesenfeld.json");
+  const nlohmann::json& oracle = load_oracle("04_lane_riesenfeld.json");
   REQUIRE(oracle.contains("cases"));
   int compared = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {
+    read_case(entry);
     const std::string name = entry["name"].get<std::string>();
     CAPTURE(name);
     const LaneRiesenfeld scheme = oracle_scheme(entry["inputs"]);
@@ -101,7 +102,7 @@ TEST_CASE("subdivision meets oracle 04, without any rounding") {
 }
 
 TEST_CASE("the distance to the limit curve meets oracle 04 and is a quarter a level") {
-  const nlohmann::json oracle = load_oracle("04_lane_riesenfeld.json");
+  const nlohmann::json& oracle = load_oracle("04_lane_riesenfeld.json");
   REQUIRE(oracle.contains("cases"));
   int compared = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {

@@ -60,10 +60,11 @@ void compare(const LeastSquaresFit& fit, const nlohmann::json& expected, double 
 }  // namespace
 
 TEST_CASE("least squares fits of a circle meet oracle 03: open, closed, with interpolated ends") {
-  const nlohmann::json oracle = load_oracle("03_least_squares.json");
+  const nlohmann::json& oracle = load_oracle("03_least_squares.json");
   REQUIRE(oracle.contains("cases"));
   int open = 0, closed = 0, constrained = 0, refused = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {
+    read_case(entry);
     const std::string name = entry["name"].get<std::string>();
     CAPTURE(name);
     const nlohmann::json& inputs = entry["inputs"];
@@ -105,11 +106,12 @@ TEST_CASE("least squares fits of a circle meet oracle 03: open, closed, with int
 }
 
 TEST_CASE("fits over averaged knots meet oracle 12") {
-  const nlohmann::json oracle = load_oracle("12_parameterization.json");
+  const nlohmann::json& oracle = load_oracle("12_parameterization.json");
   REQUIRE(oracle.contains("fits"));
   const std::vector<Eigen::Vector3d> points = vectors(oracle["points_12"]);
   int compared = 0;
   for (const nlohmann::json& entry : oracle["fits"]) {
+    read_case(entry);
     const KnotVector knots = KnotVector::make(3, Topology::open, numbers(entry["knots"])).value();
     const Result<LeastSquaresFit> fit = fit_least_squares(knots, points, numbers(entry["parameters"]));
     REQUIRE(fit);
@@ -120,7 +122,7 @@ TEST_CASE("fits over averaged knots meet oracle 12") {
 }
 
 TEST_CASE("closed curves through points meet oracle 02") {
-  const nlohmann::json oracle = load_oracle("02_bspline_periodic.json");
+  const nlohmann::json& oracle = load_oracle("02_bspline_periodic.json");
   REQUIRE(oracle.contains("cases"));
   int compared = 0;
   for (const nlohmann::json& entry : oracle["cases"]) {

@@ -35,11 +35,12 @@ Animation animation(MotionKind kind, double time) {
 }  // namespace
 
 TEST_CASE("motion: the frame-by-frame forms meet oracle 11") {
-  const nlohmann::json oracle = load_oracle("11_motion.json");
+  const nlohmann::json& oracle = load_oracle("11_motion.json");
   REQUIRE(oracle.contains("variants"));
   const double dt = oracle["dt"].get<double>();
   int states = 0;
   for (const auto& variant : oracle["variants"]) {
+    read_case(variant);
     const std::string name = variant["variant"].get<std::string>();
     CAPTURE(name);
     const MotionStep step = name == "seed_code"     ? MotionStep::seed_code
@@ -63,11 +64,12 @@ TEST_CASE("motion: the frame-by-frame forms meet oracle 11") {
 }
 
 TEST_CASE("motion: the continuous limit meets oracle 11") {
-  const nlohmann::json oracle = load_oracle("11_motion.json");
+  const nlohmann::json& oracle = load_oracle("11_motion.json");
   REQUIRE(oracle.contains("continuous_limit"));
   const double rate = oracle["continuous_limit_rate_a"].get<double>();
   int times = 0;
   for (const auto& entry : oracle["continuous_limit"]) {
+    read_case(entry);
     const double t = entry["t"].get<double>();
     CAPTURE(t);
     CHECK(close(report_displacement_parent(t, rate), vector3(entry["parent_axes"]), oracle_tolerance));
@@ -78,7 +80,7 @@ TEST_CASE("motion: the continuous limit meets oracle 11") {
 }
 
 TEST_CASE("motion: the report's three motions of a blending curve's locals meet oracle 06") {
-  const nlohmann::json oracle = load_oracle("06_blending_curve.json");
+  const nlohmann::json& oracle = load_oracle("06_blending_curve.json");
   REQUIRE(oracle.contains("cases"));
   int motions = 0;
   for (const auto& entry : oracle["cases"]) {

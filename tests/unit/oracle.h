@@ -10,8 +10,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <Eigen/Geometry>
@@ -68,11 +71,55 @@ inline Eigen::Affine3d affine3(const nlohmann::json& matrix) {
   return map;
 }
 
+/// The files of tests/data that have been asked for, and which of their cases tests have read. A file's lists (arrays and
+/// objects of objects) consist of cases; an object of numbers is one case.
+class OracleFiles {
+ public:
+  /// An empty object when it cannot be read, which the calling test notices by REQUIRE.
+  const nlohmann::json& file(const std::string& name) {
+    const auto found = files_.find(name);
+    if (found != files_.end()) return found->second;
+    std::ifstream stream(std::string(KNOTWORK_TEST_DATA_DIR) + "/" + name);
+    nlohmann::json value = nlohmann::json::parse(stream, nullptr, false);
+    if (value.is_discarded()) value = nlohmann::json::object();
+    const nlohmann::json& file = files_.emplace(name, std::move(value)).first->second;
+    for (const auto& list : file.items()) {
+      const bool of_cases = !list.value().empty() && list.value().is_structured() && list.value().begin()->is_object();
+      if (list.value().is_object() && !of_cases) unread_[&list.value()] = name + ": " + list.key();
+      if (!of_cases) continue;
+      for (const auto& entry : list.value().items()) {
+        const nlohmann::json& one = entry.value();
+        unread_[&one] = name + ": " + list.key() + "/" + (one.contains("name") ? one["name"].dump() : entry.key());
+      }
+    }
+    return file;
+  }
+  void read(const nlohmann::json& entry) { unread_.erase(&entry); }
+  /// Of the files asked for, in no special order.
+  std::vector<std::string> unread() const {
+    std::vector<std::string> names;
+    for (const auto& entry : unread_) names.push_back(entry.second);
+    return names;
+  }
+
+ private:
+  std::map<std::string, nlohmann::json> files_;
+  std::map<const nlohmann::json*, std::string> unread_;
+};
+
+inline OracleFiles& oracle_files() {
+  static OracleFiles files;
+  return files;
+}
+
 /// A file of tests/data; an empty object when it cannot be read, which the calling test notices by REQUIRE.
-inline nlohmann::json load_oracle(const std::string& name) {
-  std::ifstream file(std::string(KNOTWORK_TEST_DATA_DIR) + "/" + name);
-  nlohmann::json value = nlohmann::json::parse(file, nullptr, false);
-  return value.is_discarded() ? nlohmann::json::object() : value;
+inline const nlohmann::json& load_oracle(const std::string& name) { return oracle_files().file(name); }
+
+/// The case, and the note that a test compares with its numbers: `knotwork_tests --every-oracle-case` fails where a case
+/// of a file has no such note. `entry` is an element of the file itself, not of a copy.
+inline const nlohmann::json& read_case(const nlohmann::json& entry) {
+  oracle_files().read(entry);
+  return entry;
 }
 
 }  // namespace knotwork::test

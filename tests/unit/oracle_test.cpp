@@ -37,4 +37,18 @@ TEST_CASE("a missing oracle is an empty object") {
   CHECK_FALSE(load_oracle("05_blending_functions.json").empty());
 }
 
+TEST_CASE("a case counts as read once a test has said so") {
+  OracleFiles files;
+  const nlohmann::json& oracle = files.file("08_differential_geometry.json");
+  REQUIRE(oracle["cases"].size() == 10);
+  CHECK(files.unread().size() == 10);
+  files.read(oracle["cases"]["sphere_r2"]);
+  CHECK(files.unread().size() == 9);
+  const nlohmann::json copy = oracle["cases"]["cylinder_r2"];
+  files.read(copy);
+  CHECK(files.unread().size() == 9);
+  files.file("05_blending_functions.json");  // 11, 5 and 5 in lists, and the constants
+  CHECK(files.unread().size() == 9 + 22);
+}
+
 }  // namespace knotwork::oracle_test

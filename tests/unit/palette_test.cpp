@@ -151,4 +151,17 @@ TEST_CASE("palette: a sleeping patch and the ghost over the seam have hues too")
   CHECK(patch_hue_index(torus, {2, 4}) == patch_hue_index(torus, {2, 0}));
 }
 
+TEST_CASE("palette: the points of a net have the hues of the patches of such a grid") {
+  for (const int rows : {2, 3, 7}) {
+    for (const int columns : {3, 4, 5}) {
+      BSplineSurfaceObject net;
+      net.net.assign(static_cast<std::size_t>(rows), std::vector<Eigen::Vector3d>(static_cast<std::size_t>(columns)));
+      net.u.topology = Topology::closed;
+      const BlendingSurfaceObject patches = object(rows, columns, Topology::closed, Topology::open);
+      for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) CHECK(patch_hue_index(net, {i, j}) == patch_hue_index(patches, {i, j}));
+    }
+  }
+}
+
 }  // namespace knotwork::scene::palette_test

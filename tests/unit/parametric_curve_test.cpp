@@ -1,9 +1,14 @@
 #include "knotwork/curve/parametric_curve.h"
 
 #include <array>
+#include <numbers>
 #include <vector>
 
+#include "knotwork/curve/arc_length.h"
 #include "knotwork/curve/bezier_curve.h"
+#include "knotwork/curve/blending_curve.h"
+#include "knotwork/curve/closest_point.h"
+#include "knotwork/curve/curve_catalogue.h"
 #include "unit/analytic_curves.h"
 #include "unit/oracle.h"
 
@@ -28,6 +33,43 @@ TEST_CASE("views are the curves they look at") {
     views[0].evaluate(t, seen);
     spline.evaluate(t, own);
     CHECK(seen == own);
+  }
+}
+
+TEST_CASE("catalogue, model and blending curves have views, so that every measure works on them") {
+  const double pi = std::numbers::pi;
+  const CatalogueCurve circle = make_catalogue_curve("circle", std::array{1.5}).value();
+  const CurveView view = curve_view(circle);
+  CHECK(view.closed());
+  CHECK(close(arc_length(view), 3 * pi, 1e-12));
+  CHECK(close(closest_point(view, {0, 4, 3}).value().point, {0, 1.5, 0}, 1e-12));
+
+  const ModelCurve model(0, 2 * pi, Topology::closed, 3, [](double t, std::span<Eigen::Vector3d> out) {
+    evaluate(make_catalogue_curve("circle", std::array{1.5}).value(), t, out);
+  });
+  CHECK(close(arc_length(curve_view(model)), 3 * pi, 1e-12));
+  CHECK(curve_view(model).closed());
+
+  // Unmoved, it is the circle; a local pulled out makes it longer, and nearer to a point there.
+  const KnotVector knots = KnotVector::uniform(1, 5, Topology::closed, 0, 2 * pi).value();
+  const BlendingFunction b = BlendingFunction::make(BlendingKind::polynomial3).value();
+  BlendingCurve curve = BlendingCurve::make(model, knots, b, {}, BlendingCurve::unmoved_locals(model, knots)).value();
+  CHECK(close(arc_length(curve_view(curve)), 3 * pi, 1e-12));
+  CHECK(curve_view(curve).breaks.size() == knots.knots().size());
+  curve.set_local(0, Eigen::Translation3d(1, 0, 0) * curve.local(0));
+  CHECK(arc_length(curve_view(curve)) > 3 * pi + 0.5);
+  const ClosestPoint nearest = closest_point(curve_view(curve), {4, 0, 0}).value();
+  CHECK(close(nearest.point, {2.5, 0, 0}, 1e-12));
+
+  for (const CatalogueCurveRow& row : curve_catalogue()) {
+    CAPTURE(row.id);
+    const CatalogueCurve any = make_catalogue_curve(row.id).value();
+    const CurveView seen = curve_view(any);
+    CHECK(seen.closed() == (row.topology == Topology::closed));
+    CHECK(arc_length(seen) > 0);
+    // A point of the curve is nearest to itself.
+    const double t = seen.start + 0.37 * (seen.end - seen.start);
+    CHECK(closest_point(seen, seen(t)).value().distance < 1e-9);
   }
 }
 

@@ -15,6 +15,14 @@ namespace {
 
 using std::numbers::pi;
 
+LocalScene scene_of(Reader& reader, scene::PatchIndex patch) {
+  return {scene::local_frame(reader.object(), reader.document.animation, reader.surface(), patch), reader.view};
+}
+
+glm::dvec3 document_origin(Reader& reader, scene::PatchIndex patch) {
+  return to_glm(scene::local_origin(scene_of(reader, patch).local));
+}
+
 /// Applies drags of one patch to a document, without events.
 struct Hand {
   Reader reader;
@@ -24,13 +32,13 @@ struct Hand {
   Hand(scene::Document document, scene::PatchIndex which, std::optional<GizmoPart> part, glm::dvec2 at)
       : reader(std::move(document)), patch(which), drag(take_hold(scene_now(), which, part, at)) {}
 
-  PatchScene scene_now() { return {reader.object(), reader.document.animation, reader.surface, reader.view}; }
+  LocalScene scene_now() { return scene_of(reader, patch); }
   scene::PatchEdit to(glm::dvec2 pointer, bool shift = false) {
     const scene::PatchEdit edit = drag_to(drag, scene_now(), pointer, shift);
     reader.object().edits[patch] = edit;
     return edit;
   }
-  glm::dvec3 origin() { return document_origin(scene_now(), patch); }
+  glm::dvec3 origin() { return to_glm(scene::local_origin(scene_now().local)); }
 };
 
 scene::Document edited_document() {
@@ -51,7 +59,7 @@ scene::Document seen_along(scene::Document document, scene::PatchIndex patch, co
 
 glm::dvec2 place(Hand& hand, glm::dvec3 own) {
   Reader& reader = hand.reader;
-  const glm::dmat3 axes = gizmo_axes(reader.surface, reader.object(), hand.patch);
+  const glm::dmat3 axes = gizmo_axes(reader.surface(), reader.object(), hand.patch);
   const glm::dvec3 origin = hand.origin();
   const double size = gizmo_radius * reader.view.pixel_size(origin);
   return glm::dvec2(*reader.view.project(origin + size * (axes * own)));
@@ -72,32 +80,31 @@ double turn_of(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, int
 
 }  // namespace
 
-TEST_CASE("document_origin is where the builder puts the handle, whatever the animation does") {
+TEST_CASE("a local frame's origin is where the builder puts the handle, whatever the animation does") {
   for (const scene::MotionKind motion : {scene::MotionKind::breathe, scene::MotionKind::report}) {
     scene::Document document = edited_document();
     document.animation = {true, 1.3, 1, motion, 0.4, 0.8, 0.5};
     Reader reader(document);
-    const PatchScene scene{reader.object(), reader.document.animation, reader.surface, reader.view};
     for (const Handle& handle : reader.handles) {
-      CHECK(glm::length(document_origin(scene, handle.index) - handle.position) < 1e-14);
+      CHECK(glm::length(document_origin(reader, handle.index) - handle.position) < 1e-14);
     }
     // The surface of an earlier frame serves as well.
     reader.document.animation.time = 2.9;
     reader.object().edits[{4, 1}].translation = {0.5, 0.5, 0.5};
-    CHECK(glm::length(document_origin(scene, {4, 1}) - reader.origin({4, 1})) < 1e-14);
+    CHECK(glm::length(document_origin(reader, {4, 1}) - reader.origin({4, 1})) < 1e-14);
   }
 }
 
 TEST_CASE("moved_by moves in model space and leaves the rest of the edit alone") {
   Reader reader(edited_document());
-  const PatchScene scene{reader.object(), reader.document.animation, reader.surface, reader.view};
   const glm::dvec3 before = reader.origin({4, 1});
-  const scene::PatchEdit start = reader.edit({4, 1}), moved = moved_by(scene, {4, 1}, {0.3, -0.7, 0.11});
+  const scene::PatchEdit start = reader.edit({4, 1}),
+                         moved = moved_by(scene_of(reader, {4, 1}).local, {0.3, -0.7, 0.11});
   CHECK(moved.rotation.coeffs() == start.rotation.coeffs());
   CHECK(moved.scale == start.scale);
   reader.object().edits[{4, 1}] = moved;
   CHECK(glm::length(reader.origin({4, 1}) - before - glm::dvec3(0.3, -0.7, 0.11)) < 1e-14);
-  const scene::PatchEdit far = moved_by(scene, {4, 1}, {1e7, 0, 0});
+  const scene::PatchEdit far = moved_by(scene_of(reader, {4, 1}).local, {1e7, 0, 0});
   CHECK(far.translation.cwiseAbs().maxCoeff() == scene::max_coordinate);
 }
 
@@ -106,7 +113,7 @@ TEST_CASE("Shift moves along the normal, to the point nearest to the pointer's r
   const glm::dvec2 start(*hand.reader.view.project(hand.origin()));
   hand.drag = take_hold(hand.scene_now(), {4, 1}, std::nullopt, start + glm::dvec2(4, -3));
   const glm::dvec3 before = hand.origin();
-  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(hand.reader.surface, {4, 1}))[2];
+  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(hand.reader.surface(), {4, 1}))[2];
   for (const glm::dvec2 step : {glm::dvec2(20, -40), glm::dvec2(-60, 10), glm::dvec2(0, 90)}) {
     hand.to(start + glm::dvec2(4, -3) + step, true);
     const glm::dvec3 moved = hand.origin() - before;
@@ -135,7 +142,7 @@ TEST_CASE("a pointer beyond the vanishing point leaves the handle where it is") 
   Hand hand(document, {1, 1}, std::nullopt, {0, 0});
   const glm::dvec2 start(*hand.reader.view.project(hand.origin()));
   hand.drag = take_hold(hand.scene_now(), {1, 1}, std::nullopt, start);
-  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(hand.reader.surface, {1, 1}))[2];
+  const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(hand.reader.surface(), {1, 1}))[2];
   const glm::dvec2 vanishing(*hand.reader.view.project(hand.reader.view.eye + 1e9 * normal));
   for (int k = 0; k <= 60; ++k) {
     hand.to(start + (k / 20.0) * (vanishing - start), true);

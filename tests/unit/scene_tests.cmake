@@ -4,17 +4,30 @@
 # end: the folder itself natively, /scene in WebAssembly, where the file is embedded. Both are set at the end of this
 # list, which is included before the test executable is made.
 set(KNOTWORK_SCENE_TESTS
+  unit/blending_curve_edits_test.cpp
+  unit/blending_curve_figure_test.cpp
+  unit/catalogue_parameters_test.cpp
   unit/chapters_test.cpp
   unit/commands_test.cpp
   unit/curve_edits_test.cpp
   unit/curve_figure_test.cpp
+  unit/curve_sampling_test.cpp
   unit/document_json_test.cpp
   unit/document_schema_test.cpp
+  unit/fit_edits_test.cpp
+  unit/fit_figure_test.cpp
   unit/history_test.cpp
+  unit/model_curve_figure_test.cpp
+  unit/model_figure_test.cpp
   unit/motion_test.cpp
+  unit/net_edits_test.cpp
+  unit/net_roll_test.cpp
   unit/palette_test.cpp
   unit/parameters_test.cpp
   unit/picking_test.cpp
+  unit/point_text_test.cpp
+  unit/subdivision_edits_test.cpp
+  unit/subdivision_figure_test.cpp
   unit/surface_builder_test.cpp
   fuzz/document_mutation_test.cpp
 )

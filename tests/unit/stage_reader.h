@@ -15,6 +15,12 @@
 
 namespace knotwork::web {
 
+/// The edit of a patch in the document, the identity if it has none.
+inline scene::PatchEdit edit_of(const scene::BlendingSurfaceObject& object, scene::PatchIndex patch) {
+  const auto found = object.edits.find(patch);
+  return found == object.edits.end() ? scene::PatchEdit{} : found->second;
+}
+
 /// A reader before the stage: sends events and lets their outcomes happen to a document, as the page does.
 struct Reader {
   scene::Document document;
@@ -22,8 +28,8 @@ struct Reader {
   InteractionState state;
   Viewport viewport{805, 900, 1, 0, 0, 300, 60};
   View view;
-  BlendingSurface surface;
-  mutable std::optional<scene::PickNet> net;
+  mutable Figure figure;
+  scene::Shape shown;  ///< what the figure was made from
   std::vector<Handle> handles;
   bool frame_each_event = true;  ///< false: events come faster than frames
   bool gesture_open = false;
@@ -36,7 +42,7 @@ struct Reader {
   explicit Reader(scene::Document start = standard_document())
       : document(std::move(start)),
         view(make_view(document.camera, viewport)),
-        surface(scene::build_surface(object(), document.animation)) {
+        figure(make_figure(scene::stage_shape(document), document.animation)) {
     draw();
   }
 
@@ -46,25 +52,27 @@ struct Reader {
     return document;
   }
 
+  BlendingSurface& surface() const { return std::get_if<BlendingFigure>(&figure)->surface; }
   scene::BlendingSurfaceObject& object() { return scene::blending_surface(document); }
 
   /// A frame: what follows from the document is made anew. The net stays: a pick is polished on the true surface.
   void draw() {
     view = make_view(document.camera, viewport);
-    surface = scene::build_surface(object(), document.animation);
+    surface() = scene::build_surface(object(), document.animation);
+    shown = scene::stage_shape(document);
     handles.clear();
     for (int i = 0; i < object().locals_u; ++i) {
       for (int j = 0; j < object().locals_v; ++j) {
-        Handle handle{{i, j}, to_glm(scene::patch_origin(surface, {i, j})), std::nullopt, false};
+        Handle handle{{i, j}, to_glm(scene::patch_origin(surface(), {i, j})), std::nullopt, false};
         handle.screen = view.project(handle.position);
-        const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(surface, handle.index))[2];
+        const glm::dvec3 normal = to_glm_matrix(scene::patch_frame(surface(), handle.index))[2];
         handle.hidden = glm::dot(normal, view.eye - handle.position) < 0;
         handles.push_back(handle);
       }
     }
   }
 
-  Stage stage() const { return {document, &surface, nullptr, net, view, handles}; }
+  Stage stage() const { return {document, figure, shown, view, handles}; }
 
   Outcome happen(Outcome outcome) {
     if (outcome.begin_gesture) {

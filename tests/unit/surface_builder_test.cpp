@@ -79,7 +79,9 @@ void check_limit(const BlendingSurfaceObject& object, const Animation& animation
 }  // namespace
 
 TEST_CASE("surface builder: unmoved locals are translations exactly, so the surface is the model") {
-  for (ModelKind kind : {ModelKind::sheet, ModelKind::plane, ModelKind::cylinder, ModelKind::torus}) {
+  for (const ModelRow& row : model_kinds()) {
+    const ModelKind kind = row.kind;
+    CAPTURE(row.id);
     BlendingSurfaceObject object;
     object.model = make_model(kind);
     if (!closes_u(object.model)) object.topology_u = Topology::open;
@@ -100,7 +102,8 @@ TEST_CASE("surface builder: unmoved locals are translations exactly, so the surf
     const SurfaceDomain where = domain(surface.model());
     const double u = where.u.start + 0.3 * (where.u.end - where.u.start);
     const double v = where.v.start + 0.8 * (where.v.end - where.v.start);
-    CHECK((surface.evaluate(u, v).s - evaluate(surface.model(), u, v).s).norm() < 1e-14);
+    CHECK((surface.evaluate(u, v).s - evaluate(surface.model(), u, v).s).norm() <
+          1e-14 * (1 + surface.centre(1, 1).norm()));
   }
 }
 
@@ -162,7 +165,7 @@ TEST_CASE("surface builder: edits beyond the counts sleep and wake again") {
 TEST_CASE("surface builder: a rolling direction meets both topologies without a jump, first order in what is left") {
   const Topology open = Topology::open, closed = Topology::closed;
   for (const Animation& animation : {Animation{}, moving(MotionKind::breathe), moving(MotionKind::report)}) {
-    for (const ModelSurface& model : {ModelSurface(Sheet{}), ModelSurface(Torus{})}) {
+    for (const ModelSurface& model : {ModelSurface(Sheet{}), ModelSurface(torus_surface())}) {
       for (Topology other : {open, closed}) {
         const double rest = other == closed ? 1 : 0;
         const BlendingSurfaceObject in_u = edited(model, closed, other), in_v = edited(model, other, closed);
@@ -197,7 +200,7 @@ TEST_CASE("surface builder: both directions may roll at once") {
 }
 
 TEST_CASE("surface builder: the ghost stands between the last local and the first") {
-  const BlendingSurfaceObject object = edited(Torus{}, Topology::open, Topology::closed);
+  const BlendingSurfaceObject object = edited(torus_surface(), Topology::open, Topology::closed);
   const BlendingSurface surface = build_surface(object, Animation{}, {0.25, 1});
   // Knots every h, the last interval a quarter as wide.
   const KnotVector& knots = surface.knots_u();
@@ -265,7 +268,7 @@ TEST_CASE("surface builder: motion adds to the edit as its axes say") {
 TEST_CASE("surface builder: a frame exists where S_u vanishes") {
   BlendingSurfaceObject object;
   // The inner equator of this torus shrinks to the axis: |S_u| = 0 at v = pi.
-  object.model = Torus{0.4, 0.4, 0.4};
+  object.model = torus_surface(0.4, 0.4, 0.4);
   object.edits[{0, 2}].translation = {0, 0, 0.1};
   const BlendingSurface surface = build_surface(object, Animation{});
   const Eigen::Matrix3d f = patch_frame(surface, {0, 2});
@@ -302,7 +305,7 @@ TEST_CASE("surface builder: the report's table of domain, knots, patches and loc
 TEST_CASE("surface builder: every B-function and the largest counts build") {
   for (const BlendingFamily& family : blending_families()) {
     CAPTURE(family.id);
-    BlendingSurfaceObject object = edited(Torus{}, Topology::closed, Topology::open);
+    BlendingSurfaceObject object = edited(torus_surface(), Topology::closed, Topology::open);
     object.blending = family.kind;
     object.blending_parameter = family.parameter_max > 0 ? family.parameter_max : 64;
     const BlendingSurface surface = build_surface(object, Animation{});
@@ -315,6 +318,58 @@ TEST_CASE("surface builder: every B-function and the largest counts build") {
   object.edits[{127, 127}].translation.z() = 0.1;
   const BlendingSurface surface = build_surface(object, Animation{});
   CHECK(surface.local(127, 127).translation().allFinite());
+}
+
+TEST_CASE("surface builder: every model is built closed as far as it can be, of both kinds of patches, and edited") {
+  for (const ModelRow& row : model_kinds()) {
+    for (const LocalSurfaceKind kind : {LocalSurfaceKind::sub_surface, LocalSurfaceKind::bezier_hermite}) {
+      CAPTURE(row.id);
+      BlendingSurfaceObject object = edited(make_model(row.kind), Topology::closed, Topology::closed);
+      if (!closes_u(object.model)) object.topology_u = Topology::open;
+      if (!closes_v(object.model)) object.topology_v = Topology::open;
+      object.patches = {kind, 2, 3};
+      REQUIRE(seam_problem(object).message.empty());
+      Animation animation;
+      animation.time = 1;
+      const BlendingSurface surface = build_surface(object, animation);
+      CHECK(surface.shape() == object.patches);
+      for (int i = 0; i < object.locals_u; ++i) {
+        for (int j = 0; j < object.locals_v; ++j) {
+          // Poles and other places without a tangent plane have a frame too.
+          const Eigen::Matrix3d f = patch_frame(surface, {i, j});
+          CHECK((f.transpose() * f - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+          CHECK(f.determinant() > 0.999);
+          const Eigen::Vector2d c = surface.centre(i, j);
+          const double size = 1 + patch_origin(surface, {i, j}).norm();
+          CHECK((surface.evaluate(c.x(), c.y()).s - patch_origin(surface, {i, j})).norm() < 1e-12 * size);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("surface builder: twisted seams are closed, and an edited patch reaches across them") {
+  for (const char* id : {"moebius", "figure-eight-klein-bottle", "klein-bottle", "boy"}) {
+    CAPTURE(id);
+    BlendingSurfaceObject object;
+    object.model = make_catalogue_surface(id).value();
+    if (!closes_u(object.model)) object.topology_u = Topology::open;
+    object.edits[{0, 0}].translation = {0, 0, 0.3};
+    const BlendingSurface surface = build_surface(object, Animation{});
+    const bool in_u = surface.twist_u().has_value();
+    REQUIRE(in_u != surface.twist_v().has_value());
+    const double reflection = in_u ? surface.twist_u()->reflection : surface.twist_v()->reflection;
+    const KnotVector &turn = in_u ? surface.knots_u() : surface.knots_v(),
+                     &other = in_u ? surface.knots_v() : surface.knots_u();
+    const auto at = [&](double along, double across) {
+      return in_u ? surface.evaluate(along, across).s : surface.evaluate(across, along).s;
+    };
+    const double before = std::nextafter(turn.end(), turn.start());
+    for (int k = 0; k < 20; ++k) {
+      const double t = other.start() + other.period() * k / 20;
+      CHECK((at(before, t) - at(turn.start(), reflection - t)).norm() < 1e-12);
+    }
+  }
 }
 
 }  // namespace knotwork::scene::surface_builder_test

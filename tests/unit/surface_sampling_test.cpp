@@ -67,7 +67,7 @@ TEST_CASE("grid triangles turn from u to v and wrap where told") {
 
 TEST_CASE("positions, normals and parameters are the surface's") {
   BlendingSurface surface =
-      surface_of(Torus{}, knots(3, Topology::closed, 0, 2 * pi), knots(4, Topology::closed, 0, 2 * pi));
+      surface_of(torus_surface(), knots(3, Topology::closed, 0, 2 * pi), knots(4, Topology::closed, 0, 2 * pi));
   surface.set_local(1, 1, Eigen::Affine3d(surface.local(1, 1) * Eigen::Scaling(1.5)));
   const MeshData mesh = sample(surface, 30, 20, Seam::repeated);
   const SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), 30, 20, Seam::repeated);
@@ -98,6 +98,33 @@ TEST_CASE("64 x 64 patches and 1024 x 1024 samples are within the limits") {
   const MeshData mesh = sample(surface, 1024, 1024, Seam::joined);
   CHECK(mesh.vertex_count() == 1024 * 1024);
   CHECK(mesh.triangle_count() == 2 * 1024 * 1024);
+}
+
+TEST_CASE("a joined twisted seam joins each vertex with its reflection") {
+  const auto at = [](const MeshData& mesh, std::uint32_t n) {
+    return Eigen::Vector3d(static_cast<double>(mesh.positions[3 * n]), static_cast<double>(mesh.positions[3 * n + 1]),
+                           static_cast<double>(mesh.positions[3 * n + 2]));
+  };
+  for (const char* id : {"moebius", "figure-eight-klein-bottle", "steiner"}) {
+    CAPTURE(id);
+    const ModelSurface model = make_catalogue_surface(id).value();
+    const SurfaceDomain where = domain(model);
+    const auto direction = [&](const Interval& range, Closure closure) {
+      return knots(4, closure == Closure::open ? Topology::open : Topology::closed, range.start, range.end);
+    };
+    const BlendingSurface surface =
+        surface_of(model, direction(where.u, where.closure_u), direction(where.v, where.closure_v));
+    const MeshData mesh = sample(surface, 64, 64, Seam::joined);
+    double longest = 0;
+    for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Eigen::Vector3d edge = at(mesh, mesh.indices[k + c]) - at(mesh, mesh.indices[k + (c + 1) % 3]);
+        longest = std::max(longest, edge.norm());
+      }
+    }
+    // Joined the wrong way round, an edge would cross the whole width.
+    CHECK(longest < 0.4);
+  }
 }
 
 }  // namespace knotwork::surface_sampling_test

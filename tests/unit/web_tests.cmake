@@ -2,7 +2,10 @@
 set(KNOTWORK_WEB_TESTS
   unit/camera_test.cpp
   unit/composition_test.cpp
+  unit/drawing_test.cpp
+  unit/freehand_test.cpp
   unit/gizmo_test.cpp
   unit/interaction_test.cpp
+  unit/local_curve_hold_test.cpp
   unit/patch_drag_test.cpp
 )

@@ -1,6 +1,9 @@
 // The blending surface on the GPU (DESIGN "Blending surface, fast path"): the model's points and partials and the
 // B-function's values stand in textures that change with topology and resolution only; the local maps in one small
 // table that changes each frame. S = A (p, 1), S_u = A_u (p, 1) + A (p_u, 0).
+// A surface of another kind is evaluated on the CPU: its points stand in u_points, its normals in u_partials_u, and its
+// colours, one a vertex, in u_hues.
+uniform int u_sampled;
 
 uniform highp sampler2D u_points;      // texel (b, a): model point of grid vertex (a, b)
 uniform highp sampler2D u_partials_u;
@@ -23,6 +26,7 @@ mat3x4 map_of(ivec2 local) {
 vec3 model_point(ivec2 vertex) { return texelFetch(u_points, vertex.yx, 0).xyz; }
 
 SurfaceVertex surface_vertex(ivec2 vertex) {
+  if (u_sampled == 1) return SurfaceVertex(model_point(vertex), texelFetch(u_partials_u, vertex.yx, 0).xyz);
   vec4 bu = texelFetch(u_blend_u, ivec2(vertex.x, 0), 0);
   vec4 bv = texelFetch(u_blend_v, ivec2(vertex.y, 0), 0);
   ivec2 first = ivec2(bu.z, bv.z);
@@ -48,6 +52,7 @@ SurfaceVertex surface_vertex(ivec2 vertex) {
 // The mixture of the four hues with the very weights that blend the positions; the chroma that opposite hues would
 // cancel is kept up in part, so that the mixture does not go muddy.
 vec3 surface_hue(ivec2 vertex) {
+  if (u_sampled == 1) return texelFetch(u_hues, vertex.yx, 0).xyz;
   vec4 bu = texelFetch(u_blend_u, ivec2(vertex.x, 0), 0);
   vec4 bv = texelFetch(u_blend_v, ivec2(vertex.y, 0), 0);
   ivec2 first = ivec2(bu.z, bv.z);

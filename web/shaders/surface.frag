@@ -20,6 +20,7 @@ uniform float u_sheen;       // brightness of what the gloss reflects
 uniform vec4 u_held_cells;   // knot range (u0, u1, v0, v1) of the held patch's support, in intervals
 uniform vec2 u_knot_period;  // number of intervals in a closed direction, 0 in an open one
 uniform float u_held;        // how strongly the support is lit
+uniform float u_back_shade;  // how much the back differs from the front
 
 // Coverage of lines at whole numbers of x, `width` CSS pixels wide, antialiased; fades where they would crowd.
 float line_coverage(float x, float width) {
@@ -47,7 +48,7 @@ void main() {
 
   vec3 hue = mix(u_plain_hue, v_hue, u_patch_colours);
   hue = vec3(hue.x + u_lift, hue.yz * (1.0 + u_lift));
-  hue = mix(hue, vec3(hue.x * 0.93, hue.yz * 0.72), back);
+  hue = mix(hue, vec3(hue.x * 0.93, hue.yz * 0.72), back * u_back_shade);
   vec3 albedo = linear_from_oklab(hue);
 
   // A large soft key light from the upper left, a cool fill from the right, light from sky and floor; gloss on top.

@@ -10,7 +10,10 @@
 namespace knotwork {
 
 class BezierCurve;
+class BlendingCurve;
 class BSplineCurve;
+class ModelCurve;
+struct CatalogueCurve;
 
 /// Any parametric curve c(t), t in [start, end], as the measures (arc length, closest point, box, moving frames) see
 /// it: a reference to the curve and a function that evaluates it. It owns nothing: the curve and its breaks must
@@ -46,6 +49,11 @@ CurveView curve_view(const Curve& curve, double start, double end, Topology topo
 }
 CurveView curve_view(const BezierCurve& curve);
 CurveView curve_view(const BSplineCurve& curve);
+CurveView curve_view(const BlendingCurve& curve);
+/// Precondition: the curve passes validate().
+CurveView curve_view(const CatalogueCurve& curve);
+/// Of a curve with three derivatives.
+CurveView curve_view(const ModelCurve& curve);
 
 /// The ends of the smooth pieces of [from, to]: from, the breaks strictly between, each once, to. from < to.
 std::vector<double> piece_ends(double from, double to, std::span<const double> breaks);

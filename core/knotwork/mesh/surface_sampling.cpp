@@ -45,13 +45,19 @@ SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int
 }
 
 std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool wrap_v) {
+  return grid_indices(columns, rows, GridWrap{wrap_u}, GridWrap{wrap_v});
+}
+
+std::vector<std::uint32_t> grid_indices(int columns, int rows, GridWrap wrap_u, GridWrap wrap_v) {
   assert(columns >= 1 && rows >= 1);
-  const int cells_u = wrap_u ? columns : columns - 1, cells_v = wrap_v ? rows : rows - 1;
+  const int cells_u = wrap_u.wraps ? columns : columns - 1, cells_v = wrap_v.wraps ? rows : rows - 1;
   std::vector<std::uint32_t> indices;
   indices.reserve(6 * static_cast<std::size_t>(cells_u) * static_cast<std::size_t>(cells_v));
   const auto vertex = [&](int a, int b) {
-    return static_cast<std::uint32_t>(a % columns) * static_cast<std::uint32_t>(rows) +
-           static_cast<std::uint32_t>(b % rows);
+    int column = a % columns, row = b % rows;
+    if (a == columns && wrap_u.mirror >= 0) row = (wrap_u.mirror - row + rows) % rows;
+    if (b == rows && wrap_v.mirror >= 0) column = (wrap_v.mirror - column + columns) % columns;
+    return static_cast<std::uint32_t>(column) * static_cast<std::uint32_t>(rows) + static_cast<std::uint32_t>(row);
   };
   for (int a = 0; a < cells_u; ++a) {
     for (int b = 0; b < cells_v; ++b) {
@@ -71,8 +77,13 @@ MeshData sample(const BlendingSurface& surface, int samples_u, int samples_v, Se
   mesh.positions.reserve(3 * vertices);
   mesh.normals.reserve(3 * vertices);
   mesh.parameters.reserve(2 * vertices);
-  mesh.indices = grid_indices(static_cast<int>(columns), static_cast<int>(rows), joined && surface.knots_u().closed(),
-                              joined && surface.knots_v().closed());
+  // A twist reflects whole steps as it reflects locals: the knots are symmetric.
+  const auto wrap = [&](const KnotVector& knots, const std::optional<BlendingSurface::Twist>& twist, int other_steps) {
+    return GridWrap{joined && knots.closed(), twist ? twist->mirror * other_steps : -1};
+  };
+  mesh.indices = grid_indices(static_cast<int>(columns), static_cast<int>(rows),
+                              wrap(surface.knots_u(), surface.twist_u(), grid.steps_v),
+                              wrap(surface.knots_v(), surface.twist_v(), grid.steps_u));
 
   // A strip of columns at a time bounds the memory of the double-precision jets.
   constexpr std::size_t jets_at_once = 16384;

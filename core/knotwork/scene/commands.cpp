@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "knotwork/scene/blending_curve_edits.h"
 #include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/messages.h"
+#include "knotwork/scene/subdivision_edits.h"
 
 namespace knotwork::scene {
 
@@ -50,22 +52,68 @@ Status perform(Document& document, const ResetPatches&) {
   return success();
 }
 
-Status perform(Document& document, const SetPoint& command) {
+Error no_locals() { return {"local", "What is on the stage has no local curves."}; }
+
+KNOTWORK_LATER Status perform(Document& document, const SetLocalEdit& command) {
+  auto* curve = std::get_if<BlendingCurveObject>(&stage_shape(document));
+  return curve == nullptr ? Status(no_locals()) : set_local_edit(*curve, command.local, command.edit);
+}
+
+KNOTWORK_LATER Status perform(Document& document, const ResetLocals&) {
+  auto* curve = std::get_if<BlendingCurveObject>(&stage_shape(document));
+  if (curve == nullptr) return no_locals();
+  curve->edits.clear();
+  return success();
+}
+
+KNOTWORK_LATER Status perform(Document& document, const SetPoint& command) {
   return set_point(stage_shape(document), command.index, command.position);
 }
 
-Status perform(Document& document, const InsertPoint& command) {
+KNOTWORK_LATER Status perform(Document& document, const SetPoints& command) {
+  return set_points(stage_shape(document), command.points);
+}
+
+KNOTWORK_LATER Status perform(Document& document, const InsertPoint& command) {
   return insert_point(stage_shape(document), command.index, command.position);
 }
 
-Status perform(Document& document, const RemovePoint& command) {
+KNOTWORK_LATER Status perform(Document& document, const RemovePoint& command) {
   return remove_point(stage_shape(document), command.index);
 }
 
-Status perform(Document& document, const SetKnot& command) {
+KNOTWORK_LATER Status perform(Document& document, const SetKnot& command) {
+  if (auto* blending = std::get_if<BlendingCurveObject>(&stage_shape(document)))
+    return set_knot(*blending, command.index, command.value);
   auto* curve = std::get_if<BSplineCurveObject>(&stage_shape(document));
   if (curve == nullptr) return Error{"index", "What is on the stage has no knots to be moved."};
   return set_knot(*curve, command.index, command.value);
+}
+
+/// What `edit` does to the net on the stage.
+template <class Edit>
+Status on_net(Document& document, const char* path, const Edit& edit) {
+  auto* object = std::get_if<BSplineSurfaceObject>(&stage_shape(document));
+  return object != nullptr ? edit(*object) : Status(Error{path, "What is on the stage has no net of control points."});
+}
+
+KNOTWORK_LATER Status perform(Document& document, const SetNetPoint& command) {
+  return on_net(document, "point",
+                [&](auto& object) { return set_net_point(object, command.point, command.position); });
+}
+
+KNOTWORK_LATER Status perform(Document& document, const InsertNetLine& command) {
+  return on_net(document, "at", [&](auto& object) { return insert_net_line(object, command.direction, command.at); });
+}
+
+KNOTWORK_LATER Status perform(Document& document, const RemoveNetLine& command) {
+  return on_net(document, "index",
+                [&](auto& object) { return remove_net_line(object, command.direction, command.index); });
+}
+
+KNOTWORK_LATER Status perform(Document& document, const SetNetKnot& command) {
+  return on_net(document, "index",
+                [&](auto& object) { return set_net_knot(object, command.direction, command.index, command.value); });
 }
 
 Status perform(Document& document, const SetCamera& command) {
@@ -85,6 +133,10 @@ Status perform(Document& document, const LoadDocument& command) {
 Status perform(Document& document, const AdvanceClock& command) {
   if (!limits::elapsed.contains(command.seconds)) return Error{"seconds", number_message(limits::elapsed)};
   Animation& animation = document.animation;
+  if (auto* curve = std::get_if<SubdivisionCurveObject>(&stage_shape(document))) {
+    if (animation.playing) animation.playing = walk(*curve, command.seconds * animation.speed);
+    return success();
+  }
   if (animation.playing) animation.time = std::fmod(animation.time + command.seconds * animation.speed, clock_period);
   return success();
 }
@@ -121,10 +173,30 @@ std::string describe(const SetPatchEdit& command) {
 }
 
 std::string describe(const ResetPatches&) { return "Reset all patches"; }
-std::string describe(const SetPoint& command) { return "Move point " + std::to_string(command.index); }
-std::string describe(const InsertPoint& command) { return "Add point " + std::to_string(command.index); }
-std::string describe(const RemovePoint& command) { return "Delete point " + std::to_string(command.index); }
-std::string describe(const SetKnot& command) { return "Move knot " + std::to_string(command.index); }
+
+KNOTWORK_LATER std::string describe(const SetLocalEdit& command) {
+  return (command.edit.is_identity() ? "Reset local curve " : "Move local curve ") + std::to_string(command.local);
+}
+
+KNOTWORK_LATER std::string describe(const ResetLocals&) { return "Reset all local curves"; }
+KNOTWORK_LATER std::string describe(const SetPoint& command) { return "Move point " + std::to_string(command.index); }
+KNOTWORK_LATER std::string describe(const SetPoints&) { return "Replace the points"; }
+KNOTWORK_LATER std::string describe(const InsertPoint& command) { return "Add point " + std::to_string(command.index); }
+KNOTWORK_LATER std::string describe(const RemovePoint& command) {
+  return "Delete point " + std::to_string(command.index);
+}
+KNOTWORK_LATER std::string describe(const SetKnot& command) { return "Move knot " + std::to_string(command.index); }
+std::string line_name(NetDirection direction) { return direction == NetDirection::u ? "row" : "column"; }
+KNOTWORK_LATER std::string describe(const SetNetPoint& command) {
+  return "Move point " + std::to_string(command.point.first) + ", " + std::to_string(command.point.second);
+}
+KNOTWORK_LATER std::string describe(const InsertNetLine& command) { return "Add a " + line_name(command.direction); }
+KNOTWORK_LATER std::string describe(const RemoveNetLine& command) {
+  return "Delete " + line_name(command.direction) + " " + std::to_string(command.index);
+}
+KNOTWORK_LATER std::string describe(const SetNetKnot& command) {
+  return "Move knot " + std::to_string(command.index) + " of " + (command.direction == NetDirection::u ? "u" : "v");
+}
 std::string describe(const SetCamera&) { return "Move the camera"; }
 std::string describe(const LoadDocument&) { return "Load a document"; }
 std::string describe(const AdvanceClock&) { return "Advance the clock"; }

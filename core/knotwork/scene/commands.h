@@ -2,8 +2,10 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "knotwork/scene/document.h"
+#include "knotwork/scene/net_edits.h"
 #include "knotwork/scene/parameters.h"
 
 namespace knotwork::scene {
@@ -18,10 +20,20 @@ struct SetPatchEdit {
   PatchEdit edit;
 };
 struct ResetPatches {};
+/// The same for the local curves of a blending curve.
+struct SetLocalEdit {
+  int local;
+  PatchEdit edit;
+};
+struct ResetLocals {};
 /// A point of the curve on the stage; what its knots do is said in curve_edits.h.
 struct SetPoint {
   int index;
   Eigen::Vector3d position;
+};
+/// All points of what is made from a list of them: the data of a fitted curve, the polygon of a subdivision.
+struct SetPoints {
+  std::vector<Eigen::Vector3d> points;
 };
 struct InsertPoint {
   int index;  ///< of the new point
@@ -30,8 +42,26 @@ struct InsertPoint {
 struct RemovePoint {
   int index;
 };
-/// Knot t_index of the B-spline curve on the stage.
+/// Knot t_index of the B-spline curve or blending curve on the stage.
 struct SetKnot {
+  int index;
+  double value;
+};
+/// A point of the net on the stage; what the others do to it is said in net_edits.h.
+struct SetNetPoint {
+  PatchIndex point;
+  Eigen::Vector3d position;
+};
+struct InsertNetLine {
+  NetDirection direction;
+  double at;
+};
+struct RemoveNetLine {
+  NetDirection direction;
+  int index;
+};
+struct SetNetKnot {
+  NetDirection direction;
   int index;
   double value;
 };
@@ -47,7 +77,8 @@ struct AdvanceClock {
 };
 
 using Command = std::variant<SetParameter, SetPatchEdit, ResetPatches, SetPoint, InsertPoint, RemovePoint, SetKnot,
-                             SetCamera, LoadDocument, AdvanceClock>;
+                             SetCamera, LoadDocument, AdvanceClock, SetPoints, SetLocalEdit, ResetLocals, SetNetPoint,
+                             InsertNetLine, RemoveNetLine, SetNetKnot>;
 
 /// The only way a document changes. On an error nothing has changed.
 Status apply(Document& document, const Command& command);

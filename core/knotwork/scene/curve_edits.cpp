@@ -1,19 +1,28 @@
 #include "knotwork/scene/curve_edits.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <type_traits>
 
+#include "knotwork/scene/fit_edits.h"
+#include "knotwork/scene/knot_edits.h"
 #include "knotwork/scene/limits.h"
 #include "knotwork/scene/messages.h"
+#include "knotwork/scene/subdivision_edits.h"
 
 namespace knotwork::scene {
 
 namespace {
 
-/// Relative to the period; what comes through JSON or a drag and back is still evenly spaced.
-constexpr double even_tolerance = 1e-12;
+template <class O>
+concept CurveWithDegree = requires(O& object) {
+  object.points;
+  object.degree;
+  object.topology;
+};
 
 /// nullptr for a surface. `S` is Shape or const Shape.
 template <class S>
@@ -30,78 +39,13 @@ auto* points_in(S& shape) {
       shape);
 }
 
-std::vector<double> copied(std::span<const double> values) { return {values.begin(), values.end()}; }
-
-Result<KnotVector> even_knots(int degree, std::size_t points, Topology topology) {
-  const int count = static_cast<int>(points);
-  const int intervals = topology == Topology::closed ? count : count - degree;
-  if (intervals < 1 || (topology == Topology::closed && count < std::max(degree, 2))) {
-    const int least = topology == Topology::closed ? std::max(degree, 2) : degree + 1;
-    return Error{"points", std::string(topology == Topology::closed ? "A closed" : "An open") + " curve of degree " +
-                               std::to_string(degree) + " needs at least " + std::to_string(least) + " points."};
-  }
-  return KnotVector::uniform(degree, count, topology, 0, intervals);
-}
-
-bool evenly_spaced(const KnotVector& knots) {
-  const Result<KnotVector> even =
-      KnotVector::uniform(knots.degree(), knots.count(), knots.topology(), knots.start(), knots.end());
-  if (!even) return false;
-  const std::span<const double> a = knots.knots(), b = even.value().knots();
-  return std::equal(a.begin(), a.end(), b.begin(),
-                    [&](double x, double y) { return std::abs(x - y) <= even_tolerance * knots.period(); });
-}
-
-/// All knots of a closed vector from those of one period, t_p .. t_{p+n-1}.
-std::vector<double> repeated(const std::vector<double>& period, double length, int degree) {
-  const int n = static_cast<int>(period.size());
-  std::vector<double> knots;
-  for (int i = -degree; i <= n + degree; ++i) {
-    const int round = i >= 0 ? i / n : -((n - 1 - i) / n);
-    knots.push_back(period[static_cast<std::size_t>(i - round * n)] + round * length);
-  }
-  return knots;
-}
-
-double greville(const KnotVector& knots, int i) {
-  double sum = 0;
-  for (int k = i + 1; k <= i + knots.degree(); ++k) sum += knots[k];
-  return sum / knots.degree();
-}
-
-/// Knots with a new one near where the new point i will have its say.
-Result<KnotVector> with_knot_for(const KnotVector& knots, int i) {
-  const int n = knots.count(), p = knots.degree();
-  if (knots.closed()) {
-    const double before = i > 0 ? greville(knots, i - 1) : greville(knots, n - 1) - knots.period();
-    const double after = i < n ? greville(knots, i) : greville(knots, 0) + knots.period();
-    std::vector<double> period(knots.knots().begin() + p, knots.knots().begin() + p + n);
-    period.push_back(knots.reduced((before + after) / 2));
-    std::sort(period.begin(), period.end());
-    return KnotVector::make(p, Topology::closed, repeated(period, knots.period(), p));
-  }
-  const int a = std::clamp(i, 1, n - 1);
-  std::vector<double> inserted = copied(knots.knots());
-  const double t = std::clamp((greville(knots, a - 1) + greville(knots, a)) / 2, knots.start(), knots.end());
-  inserted.insert(std::upper_bound(inserted.begin(), inserted.end(), t), t);
-  return KnotVector::make(p, Topology::open, std::move(inserted));
-}
-
-Result<KnotVector> without_knot_of(const KnotVector& knots, int i) {
-  const int n = knots.count(), p = knots.degree();
-  const int first = knots.closed() ? p : p + 1, last = knots.closed() ? p + n - 1 : n - 1;
-  const double said = knots.closed() ? knots.reduced(greville(knots, i)) : greville(knots, i);
-  int gone = first;
-  for (int k = first; k <= last; ++k)
-    if (std::abs(knots[k] - said) < std::abs(knots[gone] - said)) gone = k;
-  if (knots.closed()) {
-    std::vector<double> period(knots.knots().begin() + p, knots.knots().begin() + p + n);
-    period.erase(period.begin() + (gone - p));
-    return KnotVector::make(p, Topology::closed, repeated(period, knots.period(), p));
-  }
-  std::vector<double> rest = copied(knots.knots());
-  rest.erase(rest.begin() + gone);
-  return KnotVector::make(p, Topology::open, std::move(rest));
+/// Of a curve, with the reason in its words.
+Result<KnotVector> even_curve_knots(int degree, std::size_t points, Topology topology, Ends ends) {
+  Result<KnotVector> knots = even_knots(degree, static_cast<int>(points), topology, ends);
+  if (knots) return knots;
+  return Error{"points", std::string(topology == Topology::closed ? "A closed" : "An open") + " curve of degree " +
+                             std::to_string(degree) + " needs at least " +
+                             std::to_string(least_points(degree, topology)) + " points."};
 }
 
 Error no_such_point(int index) { return {"index", "There is no point " + std::to_string(index) + "."}; }
@@ -111,7 +55,7 @@ Status take(BSplineCurveObject& object, const Result<KnotVector>& knots, std::ve
   if (!knots) return knots.error();
   object.degree = knots.value().degree();
   object.topology = knots.value().topology();
-  object.knots = copied(knots.value().knots());
+  object.knots = {knots.value().knots().begin(), knots.value().knots().end()};
   object.points = std::move(points);
   return success();
 }
@@ -127,8 +71,32 @@ Status take_points(BezierCurveObject& object, std::vector<Eigen::Vector3d> point
   return success();
 }
 
-Status take_points(BlendingSurfaceObject&, const std::vector<Eigen::Vector3d>&, int) {
-  return Error{"index", "A blending surface has no points of its own."};
+template <class Object>
+Status take_points(Object&, const std::vector<Eigen::Vector3d>&, int) {
+  return Error{"index", "What is on the stage has no points of its own."};
+}
+
+/// An edit of one point of a list: the list is what is said to be wrong.
+template <class ListObject>
+Status take_list(ListObject& object, std::vector<Eigen::Vector3d> points) {
+  const Status status = set_points(object, std::move(points));
+  return status ? success() : Status(Error{"index", status.error().message});
+}
+
+Status take_points(FittedCurveObject& object, std::vector<Eigen::Vector3d> points, int) {
+  return take_list(object, std::move(points));
+}
+
+Status take_points(SubdivisionCurveObject& object, std::vector<Eigen::Vector3d> points, int) {
+  return take_list(object, std::move(points));
+}
+
+Status take_points(ModelSurfaceObject&, const std::vector<Eigen::Vector3d>&, int) {
+  return Error{"index", "A model surface has no points of its own."};
+}
+
+Status take_points(BSplineSurfaceObject&, const std::vector<Eigen::Vector3d>&, int) {
+  return Error{"index", "A net takes whole rows and columns."};
 }
 
 Status take_points(BSplineCurveObject& object, std::vector<Eigen::Vector3d> points, int index) {
@@ -138,7 +106,7 @@ Status take_points(BSplineCurveObject& object, std::vector<Eigen::Vector3d> poin
   if (!old) return old.error();
   const KnotVector& knots = old.value();
   const auto changed = [&]() -> Result<KnotVector> {
-    Result<KnotVector> even = even_knots(knots.degree(), points.size(), knots.topology());
+    Result<KnotVector> even = even_curve_knots(knots.degree(), points.size(), knots.topology(), ends_of(knots));
     if (!even || evenly_spaced(knots)) return even;
     return points.size() > object.points.size() ? with_knot_for(knots, index) : without_knot_of(knots, index);
   };
@@ -159,8 +127,14 @@ std::span<const Eigen::Vector3d> curve_points(const Shape& shape) {
 }
 
 bool closes(const Shape& shape) {
-  const auto* curve = std::get_if<BSplineCurveObject>(&shape);
-  return curve != nullptr && curve->topology == Topology::closed;
+  return std::visit(
+      [](const auto& object) {
+        if constexpr (CurveWithDegree<decltype(object)>)
+          return object.topology == Topology::closed;
+        else
+          return false;
+      },
+      shape);
 }
 
 Result<BSplineCurve> build_curve(const BSplineCurveObject& object) {
@@ -169,9 +143,38 @@ Result<BSplineCurve> build_curve(const BSplineCurveObject& object) {
   return BSplineCurve::make(std::move(knots).value(), object.points);
 }
 
+bool is_clamped(const BSplineCurveObject& object) {
+  const Result<KnotVector> knots = knots_of(object);
+  return knots && !knots.value().closed() && ends_of(knots.value()) == Ends::clamped;
+}
+
 bool knots_are_even(const BSplineCurveObject& object) {
   const Result<KnotVector> knots = knots_of(object);
   return knots && evenly_spaced(knots.value());
+}
+
+Status check_point_list(std::span<const Eigen::Vector3d> points, const Limits& count) {
+  if (!count.contains(static_cast<double>(points.size()))) {
+    return Error{"points", "There must be from " + number_text(count.min) + " to " + number_text(count.max) +
+                               " points; there are " + std::to_string(points.size()) + "."};
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const double coordinate : points[i]) {
+      if (!limits::coordinate.contains(coordinate))
+        return Error{"points[" + std::to_string(i) + "]", number_message(limits::coordinate)};
+    }
+  }
+  return success();
+}
+
+bool is_made_from_list(const Shape& shape) {
+  return std::holds_alternative<FittedCurveObject>(shape) || std::holds_alternative<SubdivisionCurveObject>(shape);
+}
+
+Status set_points(Shape& shape, std::vector<Eigen::Vector3d> points) {
+  if (auto* fitted = std::get_if<FittedCurveObject>(&shape)) return set_points(*fitted, std::move(points));
+  if (auto* polygon = std::get_if<SubdivisionCurveObject>(&shape)) return set_points(*polygon, std::move(points));
+  return Error{"points", "What is on the stage is not made from a list of points."};
 }
 
 Status set_point(Shape& shape, int index, const Eigen::Vector3d& position) {
@@ -179,6 +182,12 @@ Status set_point(Shape& shape, int index, const Eigen::Vector3d& position) {
   if (points == nullptr || index < 0 || index >= static_cast<int>(points->size())) return no_such_point(index);
   for (int k = 0; k < 3; ++k)
     if (!limits::coordinate.contains(position[k])) return Error{"position", number_message(limits::coordinate)};
+  if (auto* fitted = std::get_if<FittedCurveObject>(&shape)) {
+    // The only curve that a point can spoil: where data coincide, they may leave it undetermined.
+    const auto move = [&](FittedCurveObject& moved) { moved.points[static_cast<std::size_t>(index)] = position; };
+    const Status status = refit(*fitted, move);
+    return status ? success() : Status(Error{"position", status.error().message});
+  }
   (*points)[static_cast<std::size_t>(index)] = position;
   return success();
 }
@@ -202,35 +211,98 @@ Status remove_point(Shape& shape, int index) {
 }
 
 Status set_knot(BSplineCurveObject& object, int index, double value) {
-  const int size = static_cast<int>(object.knots.size()), p = object.degree;
-  const int n = static_cast<int>(object.points.size());
-  const bool closed = object.topology == Topology::closed;
-  if (index < 0 || index >= size || (closed && (index < p || index >= p + n)))
-    return Error{"index", "There is no knot " + std::to_string(index) + " to be moved."};
-  if (!limits::coordinate.contains(value)) return Error{"value", number_message(limits::coordinate)};
-  std::vector<double> knots = object.knots;
-  knots[static_cast<std::size_t>(index)] = value;
-  if (closed) {
-    const double period = object.knots[static_cast<std::size_t>(p + n)] - object.knots[static_cast<std::size_t>(p)];
-    knots = repeated({knots.begin() + p, knots.begin() + p + n}, period, p);
-  }
-  const Result<KnotVector> moved = KnotVector::make(p, object.topology, knots);
-  if (!moved) return Error{"value", moved.error().message};
-  object.knots = std::move(knots);
+  const Result<KnotVector> knots = knots_of(object);
+  if (!knots) return knots.error();
+  Result<std::vector<double>> moved = with_knot_moved(knots.value(), index, value);
+  if (!moved) return moved.error();
+  object.knots = std::move(moved).value();
   return success();
 }
 
 Status set_degree(BSplineCurveObject& object, int degree) {
   if (!limits::degree.contains(degree)) return Error{"degree", integer_message(limits::degree)};
-  const Result<KnotVector> knots = even_knots(degree, object.points.size(), object.topology);
+  const Result<KnotVector> old = knots_of(object);
+  if (!old) return old.error();
+  const Result<KnotVector> knots =
+      even_curve_knots(degree, object.points.size(), object.topology, ends_of(old.value()));
   if (!knots) return Error{"degree", knots.error().message};
   return take(object, knots, object.points);
 }
 
 Status set_topology(BSplineCurveObject& object, Topology topology) {
-  const Result<KnotVector> knots = even_knots(object.degree, object.points.size(), topology);
+  const Result<KnotVector> knots = even_curve_knots(object.degree, object.points.size(), topology, Ends::clamped);
   if (!knots) return Error{"topology", knots.error().message};
   return take(object, knots, object.points);
+}
+
+Status set_clamped(BSplineCurveObject& object, bool clamped) {
+  const Ends ends = clamped ? Ends::clamped : Ends::unclamped;
+  return take(object, even_curve_knots(object.degree, object.points.size(), object.topology, ends), object.points);
+}
+
+namespace {
+
+/// f of the curve's object, where it has points, degree and topology.
+template <class S, class F>
+auto with_degree(S& shape, F f) {
+  using Answer = decltype(f(*std::get_if<BSplineCurveObject>(&shape)));
+  return std::visit(
+      [&](auto& object) -> Answer {
+        if constexpr (CurveWithDegree<decltype(object)>) {
+          return f(object);
+        } else {
+          // Excluded by the precondition: any answer will do.
+          assert(false);
+          return f(*std::get_if<BSplineCurveObject>(&shape));
+        }
+      },
+      shape);
+}
+
+Status set_degree(FittedCurveObject& object, int degree) {
+  if (!limits::degree.contains(degree)) return Error{"degree", integer_message(limits::degree)};
+  const Status status = refit(object, [&](FittedCurveObject& changed) { changed.degree = degree; });
+  return status ? success() : Status(Error{"degree", status.error().message});
+}
+
+Status set_topology(FittedCurveObject& object, Topology topology) {
+  const Status status = refit(object, [&](FittedCurveObject& changed) { changed.topology = topology; });
+  return status ? success() : Status(Error{"topology", status.error().message});
+}
+
+double most_degree(const BSplineCurveObject& object) {
+  const auto points = static_cast<double>(object.points.size());
+  return object.topology == Topology::closed ? points : points - 1;
+}
+double most_degree(const FittedCurveObject& object) {
+  return object.topology == Topology::closed ? object.count : object.count - 1;
+}
+/// A closed polygon goes round as often as a degree needs.
+double most_degree(const SubdivisionCurveObject& object) {
+  return object.topology == Topology::closed ? limits::degree.max : static_cast<double>(object.points.size()) - 1;
+}
+
+}  // namespace
+
+int degree_of(const Shape& shape) {
+  return with_degree(shape, [](const auto& object) { return object.degree; });
+}
+
+Topology topology_of(const Shape& shape) {
+  return with_degree(shape, [](const auto& object) { return object.topology; });
+}
+
+Limits degree_range(const Shape& shape) {
+  const double most = with_degree(shape, [](const auto& object) { return most_degree(object); });
+  return {limits::degree.min, std::min(limits::degree.max, most)};
+}
+
+Status set_degree(Shape& shape, int degree) {
+  return with_degree(shape, [&](auto& object) { return set_degree(object, degree); });
+}
+
+Status set_topology(Shape& shape, Topology topology) {
+  return with_degree(shape, [&](auto& object) { return set_topology(object, topology); });
 }
 
 }  // namespace knotwork::scene

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "knotwork/basis/bspline_basis.h"
 #include "knotwork/scene/curve_edits.h"
+#include "knotwork/scene/fit_edits.h"
+#include "knotwork/scene/subdivision_edits.h"
 
 namespace knotwork::scene {
 
@@ -13,8 +16,9 @@ namespace {
 constexpr int most_samples = 4096, fine_steps = 48, coarse_steps = 4;  // steps are in a knot interval
 
 double parameter_of(const Shape& shape) {
-  const auto* bezier = std::get_if<BezierCurveObject>(&shape);
-  return bezier != nullptr ? bezier->parameter : std::get_if<BSplineCurveObject>(&shape)->parameter;
+  if (const auto* bezier = std::get_if<BezierCurveObject>(&shape)) return bezier->parameter;
+  const auto* curve = std::get_if<BSplineCurveObject>(&shape);
+  return curve != nullptr ? curve->parameter : 0;
 }
 
 std::vector<CurveFigure::Mark> marks_of(const BSplineCurve& curve) {
@@ -37,14 +41,19 @@ std::vector<CurveFigure::Mark> marks_of(const BSplineCurve& curve) {
 
 BSplineCurve spline_of(const Shape& shape) {
   if (const auto* curve = std::get_if<BSplineCurveObject>(&shape)) return build_curve(*curve).value();
+  if (const auto* fitted = std::get_if<FittedCurveObject>(&shape)) return build_fit(*fitted).value().fit.curve;
+  if (const auto* polygon = std::get_if<SubdivisionCurveObject>(&shape))
+    return limit_curve(scheme_of(*polygon), polygon->points).value();
   const std::vector<Eigen::Vector3d>& points = std::get_if<BezierCurveObject>(&shape)->points;
   const int count = static_cast<int>(points.size());
   return BSplineCurve::make(KnotVector::uniform(count - 1, count, Topology::open, 0, 1).value(), points).value();
 }
 
-CurveFigure::CurveFigure(const Shape& shape)
-    : curve(spline_of(shape)),
-      t(std::lerp(curve.knots().start(), curve.knots().end(), parameter_of(shape))),
+CurveFigure::CurveFigure(const Shape& shape) : CurveFigure(spline_of(shape), parameter_of(shape)) {}
+
+CurveFigure::CurveFigure(BSplineCurve drawn, double share)
+    : curve(std::move(drawn)),
+      t(std::lerp(curve.knots().start(), curve.knots().end(), share)),
       construction(curve.de_boor(t)),
       marks(marks_of(curve)) {
   const KnotVector& knots = curve.knots();
@@ -59,7 +68,8 @@ CurveFigure::CurveFigure(const Shape& shape)
       bspline_basis(knots, span, at, 0, basis);
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       for (int j = 0; j <= p; ++j) point += basis[static_cast<std::size_t>(j)] * curve.point(span - p + j);
-      samples.push_back({at, point, span - p});
+      samples.push_back({at, point});
+      firsts.push_back(span - p);
       weights.insert(weights.end(), basis.begin(), basis.end());
     }
   }
@@ -70,8 +80,7 @@ double CurveFigure::weight(std::size_t k, int i) const {
   double sum = 0;
   // A closed curve of few points meets a point more than once.
   for (int j = 0; j < width; ++j)
-    if ((samples[k].first + j) % n == i)
-      sum += weights[k * static_cast<std::size_t>(width) + static_cast<std::size_t>(j)];
+    if ((firsts[k] + j) % n == i) sum += weights[k * static_cast<std::size_t>(width) + static_cast<std::size_t>(j)];
   return sum;
 }
 

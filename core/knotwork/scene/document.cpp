@@ -1,6 +1,7 @@
 #include "knotwork/scene/document.h"
 
 #include <array>
+#include <cmath>
 
 #include "knotwork/scene/document_members.h"
 
@@ -8,20 +9,36 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<ModelRow, 4> model_table{{
-    {ModelKind::sheet, "sheet", "Rolling sheet"},
-    {ModelKind::plane, "plane", "Plane"},
-    {ModelKind::cylinder, "cylinder", "Cylinder"},
-    {ModelKind::torus, "torus", "Torus"},
-}};
-
 constexpr std::array<ShapeRow, std::variant_size_v<Shape>> shape_table{{
     {"blendingSurface", "Blending surface"},
     {"bezierCurve", "Bézier curve"},
     {"bsplineCurve", "B-spline curve"},
+    {"fittedCurve", "Fitted curve"},
+    {"subdivisionCurve", "Subdivision curve"},
+    {"modelCurve", "Model curve"},
+    {"blendingCurve", "Blending curve"},
+    {"bsplineSurface", "B-spline surface"},
+    {"modelSurface", "Model surface"},
 }};
 
+constexpr std::array<std::string_view, 3> data_parameter_ids{"uniform", "centripetal", "chordLength"};
+
 }  // namespace
+
+namespace {
+
+template <class M, class D>
+M* model_in(D& document) {
+  auto& shape = stage_shape(document);
+  if (auto* blending = std::get_if<BlendingSurfaceObject>(&shape)) return &blending->model;
+  auto* alone = std::get_if<ModelSurfaceObject>(&shape);
+  return alone != nullptr ? &alone->model : nullptr;
+}
+
+}  // namespace
+
+const ModelSurface* stage_model(const Document& document) { return model_in<const ModelSurface>(document); }
+ModelSurface* stage_model(Document& document) { return model_in<ModelSurface>(document); }
 
 bool PatchEdit::is_identity() const { return *this == PatchEdit{}; }
 
@@ -29,37 +46,36 @@ bool PatchEdit::operator==(const PatchEdit& other) const {
   return translation == other.translation && rotation.coeffs() == other.rotation.coeffs() && scale == other.scale;
 }
 
-std::span<const ModelRow> model_kinds() { return model_table; }
-
-const ModelRow& model_row(ModelKind kind) { return model_table[static_cast<std::size_t>(kind)]; }
-
-ModelKind model_kind(const ModelSurface& model) {
-  if (std::holds_alternative<Plane>(model)) return ModelKind::plane;
-  if (std::holds_alternative<Cylinder>(model)) return ModelKind::cylinder;
-  if (std::holds_alternative<Torus>(model)) return ModelKind::torus;
-  return ModelKind::sheet;
-}
-
-ModelSurface make_model(ModelKind kind) {
-  switch (kind) {
-    case ModelKind::plane:
-      return Plane{};
-    case ModelKind::cylinder:
-      return Cylinder{};
-    case ModelKind::torus:
-      return Torus{};
-    case ModelKind::sheet:
-      break;
+SeamProblem seam_problem(const BlendingSurfaceObject& object) {
+  const SurfaceDomain where = domain(object.model);
+  // Whether evenly spaced patches fall onto each other when the direction is reflected.
+  const auto falls_onto_itself = [](const Interval& range, Closure closure, double reflection, Topology topology,
+                                    int locals) {
+    const double period = range.end - range.start;
+    const double step = topology == Topology::closed ? period / locals : period;
+    double gap = reflection - range.start - (topology == Topology::closed ? range.start : range.end);
+    if (closure == Closure::closed) gap = std::remainder(gap, step);
+    return std::abs(gap) <= 1e-9 * period;
+  };
+  const auto problem = [&](const char* turn, const char* other, Topology topology) -> SeamProblem {
+    const bool closed = topology == Topology::closed;
+    return {std::string(closed ? "locals." : "topology.") + other,
+            "Going round the " + std::string(model_name(object.model)) + " in " + turn + " reflects the patches in " +
+                other + ": " + (closed ? "their number must be even." : "that direction must be closed too.")};
+  };
+  if (object.topology_u == Topology::closed && where.closure_u == Closure::twisted &&
+      !falls_onto_itself(where.v, where.closure_v, where.reflection_u, object.topology_v, object.locals_v)) {
+    return problem("u", "v", object.topology_v);
   }
-  return Sheet{};
+  if (object.topology_v == Topology::closed && where.closure_v == Closure::twisted &&
+      !falls_onto_itself(where.u, where.closure_u, where.reflection_v, object.topology_u, object.locals_u)) {
+    return problem("v", "u", object.topology_u);
+  }
+  return {};
 }
 
-bool closes_u(const ModelSurface& model) {
-  return model_kind(model) == ModelKind::sheet || domain(model).closure_u == Topology::closed;
-}
-
-bool closes_v(const ModelSurface& model) {
-  return model_kind(model) == ModelKind::sheet || domain(model).closure_v == Topology::closed;
+ChoiceIds ids_of(LocalSurfaceKind) {
+  return {2, [](int i) { return i == 0 ? std::string_view("sub-surface") : std::string_view("bezier-hermite"); }};
 }
 
 std::span<const ShapeRow> shape_kinds() { return shape_table; }
@@ -70,6 +86,18 @@ Shape make_shape(ShapeKind kind) {
       return BezierCurveObject{};
     case ShapeKind::bspline_curve:
       return BSplineCurveObject{};
+    case ShapeKind::fitted_curve:
+      return FittedCurveObject{};
+    case ShapeKind::subdivision_curve:
+      return SubdivisionCurveObject{};
+    case ShapeKind::model_curve:
+      return ModelCurveObject{};
+    case ShapeKind::blending_curve:
+      return BlendingCurveObject{};
+    case ShapeKind::bspline_surface:
+      return BSplineSurfaceObject{};
+    case ShapeKind::model_surface:
+      return ModelSurfaceObject{};
     case ShapeKind::blending_surface:
       break;
   }
@@ -84,8 +112,21 @@ ChoiceIds ids_of(MotionKind) {
   return {2, [](int i) { return i == 0 ? std::string_view("breathe") : std::string_view("report"); }};
 }
 
+ChoiceIds ids_of(DataParameters) {
+  return {static_cast<int>(data_parameter_ids.size()),
+          [](int i) { return data_parameter_ids[static_cast<std::size_t>(i)]; }};
+}
+
+ChoiceIds ids_of(KnotPlacement) {
+  return {2, [](int i) { return i == 0 ? std::string_view("even") : std::string_view("averaged"); }};
+}
+
+ChoiceIds ids_of(FitEnds) {
+  return {2, [](int i) { return i == 0 ? std::string_view("free") : std::string_view("interpolated"); }};
+}
+
 ChoiceIds ids_of(ModelKind) {
-  return {static_cast<int>(model_table.size()), [](int i) { return model_table[static_cast<std::size_t>(i)].id; }};
+  return {static_cast<int>(model_kinds().size()), [](int i) { return model_kinds()[static_cast<std::size_t>(i)].id; }};
 }
 
 ChoiceIds ids_of(ShapeKind) {

@@ -70,6 +70,10 @@ inline BlendingSurfaceObject& blending_surface(Document& document) {
   return *std::get_if<BlendingSurfaceObject>(&stage_shape(document));
 }
 
+/// The model on the stage, alone or as a blending surface's; nullptr when something else stands there.
+const ModelSurface* stage_model(const Document& document);
+ModelSurface* stage_model(Document& document);
+
 /// Whether the document is valid: every number within limits.h, ids unique, no direction closed in which the model is
 /// not. Errors name the member as in its JSON form, as `objects[0].locals.u`.
 Status check(const Document& document);

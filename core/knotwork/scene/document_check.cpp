@@ -1,10 +1,14 @@
 #include <cmath>
 #include <set>
 
+#include "knotwork/scene/blending_curve_edits.h"
 #include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/document.h"
 #include "knotwork/scene/document_members.h"
+#include "knotwork/scene/fit_edits.h"
 #include "knotwork/scene/messages.h"
+#include "knotwork/scene/net_edits.h"
+#include "knotwork/scene/subdivision_edits.h"
 
 namespace knotwork::scene {
 
@@ -82,6 +86,9 @@ class Checker {
 
   void points(std::string_view name, const std::vector<Eigen::Vector3d>& points, const Limits& count) {
     if (!count.contains(static_cast<double>(points.size()))) fail(name, count_message(count));
+    point_count_ += points.size();
+    if (point_count_ > max_document_points)
+      fail(name, "All curves together must have at most " + std::to_string(max_document_points) + " points.");
     int index = 0;
     for (const Eigen::Vector3d& point : points) vector(element(name, index++), point, limits::coordinate);
   }
@@ -90,6 +97,17 @@ class Checker {
     if (!count.contains(static_cast<double>(values.size()))) fail(name, count_message(count));
     int index = 0;
     for (const double value : values) number(element(name, index++), value, limits::coordinate);
+  }
+
+  void net(std::string_view name, const Net& net, const Limits& count) {
+    if (!count.contains(static_cast<double>(net.size()))) fail(name, count_message(count));
+    int index = 0;
+    for (const std::vector<Eigen::Vector3d>& row : net) {
+      const std::string place = element(name, index++);
+      if (row.size() != net.front().size())
+        fail(place, "Must hold as many points as the first row: " + std::to_string(net.front().size()) + ".");
+      points(place, row, count);
+    }
   }
 
   void patches(std::string_view name, const std::map<PatchIndex, PatchEdit>& edits, const Limits& count) {
@@ -131,38 +149,34 @@ class Checker {
 
   std::string path_;
   Error error_;
-  std::size_t patch_count_ = 0;  ///< over all objects, so that what is written can be read again
+  // Over all objects, so that what is written can be read again.
+  std::size_t patch_count_ = 0, point_count_ = 0;
 };
 
-/// The JSON name of a model's member: `vAxis` of `v_axis`.
-std::string json_name(std::string_view member) {
-  std::string name;
-  bool upper = false;
-  for (char c : member) {
-    if (c != '_') name += upper && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    upper = c == '_';
-  }
-  return name;
+/// The parameter of a B-function within its family's limits.
+void check_blending(Checker& checker, BlendingKind kind, int parameter) {
+  const BlendingFamily& family = blending_family(kind);
+  const Limits range{static_cast<double>(family.parameter_min), static_cast<double>(family.parameter_max)};
+  if (range.max > 0 && !range.contains(parameter)) checker.fail("blending.parameter", integer_message(range));
 }
 
 /// What no single member's limits can say.
 void check_together(Checker& checker, const BlendingSurfaceObject& object) {
   if (const Status model = validate(object.model); !model) {
-    checker.fail("model." + json_name(model.error().path), model.error().message);
+    checker.fail("model." + model.error().path, model.error().message);
   }
   const auto refuse_closed = [&](std::string_view direction) {
-    checker.fail("topology." + std::string(direction), "The " + std::string(model_row(model_kind(object.model)).id) +
+    checker.fail("topology." + std::string(direction), "The " + std::string(model_name(object.model)) +
                                                            " is not closed in " + std::string(direction) +
                                                            ", so this direction can only be open.");
   };
   if (object.topology_u == Topology::closed && !closes_u(object.model)) refuse_closed("u");
   if (object.topology_v == Topology::closed && !closes_v(object.model)) refuse_closed("v");
 
-  const BlendingFamily& family = blending_family(object.blending);
-  const Limits range{static_cast<double>(family.parameter_min), static_cast<double>(family.parameter_max)};
-  if (range.max > 0 && !range.contains(object.blending_parameter)) {
-    checker.fail("blending.parameter", integer_message(range));
+  if (checker.ok()) {
+    if (const SeamProblem seam = seam_problem(object); !seam.message.empty()) checker.fail(seam.member, seam.message);
   }
+  check_blending(checker, object.blending, object.blending_parameter);
 }
 
 void check_together(Checker&, const BezierCurveObject&) {}
@@ -170,6 +184,38 @@ void check_together(Checker&, const BezierCurveObject&) {}
 void check_together(Checker& checker, const BSplineCurveObject& object) {
   if (const Result<BSplineCurve> curve = build_curve(object); !curve)
     checker.fail(curve.error().path, curve.error().message);
+}
+
+void check_together(Checker& checker, const FittedCurveObject& object) {
+  if (const Status fit = check_fit(object); !fit) checker.fail(fit.error().path, fit.error().message);
+}
+
+void check_together(Checker& checker, const SubdivisionCurveObject& object) {
+  if (const Status walk = check_subdivision(object); !walk) checker.fail(walk.error().path, walk.error().message);
+}
+
+void check_together(Checker& checker, const ModelCurveObject& object) {
+  if (const Status model = check_model(object.model); !model) checker.fail(model.error().path, model.error().message);
+}
+
+void check_together(Checker& checker, const BlendingCurveObject& object) {
+  check_blending(checker, object.blending, object.blending_parameter);
+  // The curve can be built only from a B-function that there is.
+  if (!checker.ok()) return;
+  if (const Status curve = check_curve(object); !curve) checker.fail(curve.error().path, curve.error().message);
+}
+
+void check_together(Checker& checker, const ModelSurfaceObject& object) {
+  if (model_kind(object.model) == ModelKind::sheet) {
+    checker.fail("model.kind", std::string(sheet_alone));
+  } else if (const Status model = validate(object.model); !model) {
+    checker.fail("model." + model.error().path, model.error().message);
+  }
+}
+
+void check_together(Checker& checker, const BSplineSurfaceObject& object) {
+  if (const Result<BSplineSurface> surface = build_net(object); !surface)
+    checker.fail(surface.error().path, surface.error().message);
 }
 
 }  // namespace
@@ -185,7 +231,7 @@ Status check(const Document& document) {
   for (const Object& object : document.objects) {
     checker.group(Checker::element("objects", index++), [&] {
       if (!ids.insert(object.id).second) checker.fail("id", "Must be another than the other objects' ids.");
-      std::visit([&](const auto& shape) { check_together(checker, shape); }, object.shape);
+      visit_first([&](const auto& shape) { check_together(checker, shape); }, object.shape);
     });
   }
   return checker.status();

@@ -1,5 +1,6 @@
 #include "knotwork/scene/document_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 /// More than any document has; they keep junk from costing time and memory.
 constexpr std::size_t max_depth = 16, max_members = 64, max_values = 1u << 19;
-constexpr std::size_t max_elements = static_cast<std::size_t>(limits::patches.max);
+constexpr std::size_t max_elements = static_cast<std::size_t>(std::max(limits::patches.max, limits::data_points.max));
 
 std::string joined(const std::string& path, std::string_view name) {
   if (name.empty()) return path;
@@ -217,15 +218,7 @@ class Reader {
   }
 
   void points(std::string_view name, std::vector<Eigen::Vector3d>& points, const Limits&) {
-    const Json* node = array(name);
-    if (node == nullptr) return;
-    points.clear();
-    for (const Json& item : *node) {
-      const std::string place = element(name, points.size());
-      points.emplace_back();
-      coordinates(&item, place, points.back().data(), 3, limits::coordinate);
-      if (!ok()) return;
-    }
+    read_points(member(name), name, points);
   }
 
   void numbers(std::string_view name, std::vector<double>& values, const Limits&) {
@@ -235,6 +228,17 @@ class Reader {
     for (const Json& item : *node) {
       values.emplace_back();
       read_number(&item, element(name, values.size() - 1), values.back(), limits::coordinate);
+      if (!ok()) return;
+    }
+  }
+
+  void net(std::string_view name, Net& net, const Limits&) {
+    const Json* node = array(name);
+    if (node == nullptr) return;
+    net.clear();
+    for (const Json& item : *node) {
+      net.emplace_back();
+      read_points(&item, element(name, net.size() - 1), net.back());
       if (!ok()) return;
     }
   }
@@ -310,6 +314,18 @@ class Reader {
     if (const std::optional<double> number = number_in(node, name, number_message(range))) value = *number;
   }
 
+  void read_points(const Json* list, std::string_view name, std::vector<Eigen::Vector3d>& points) {
+    const Json* node = array(list, name);
+    if (node == nullptr) return;
+    points.clear();
+    for (const Json& item : *node) {
+      const std::string place = element(name, points.size());
+      points.emplace_back();
+      coordinates(&item, place, points.back().data(), 3, limits::coordinate);
+      if (!ok()) return;
+    }
+  }
+
   /// `count` numbers in a list.
   void coordinates(const Json* list, std::string_view name, double* values, std::size_t count, const Limits& range) {
     const Json* node = array(list, name);
@@ -359,12 +375,16 @@ class Writer {
     begin(name);
     numbers({q.coeffs().data(), 4});
   }
-  void points(std::string_view name, const std::vector<Eigen::Vector3d>& points, const Limits&) {
+  void points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits&) {
+    begin(name);
+    points(list);
+  }
+  void net(std::string_view name, const Net& net, const Limits&) {
     begin(name);
     text_ += '[';
-    for (const Eigen::Vector3d& point : points) {
+    for (const std::vector<Eigen::Vector3d>& row : net) {
       if (text_.back() != '[') text_ += ',';
-      numbers({point.data(), 3});
+      points(row);
     }
     text_ += ']';
   }
@@ -417,6 +437,15 @@ class Writer {
     for (const auto& item : items) {
       if (text_.back() != '[') text_ += ',';
       object([&] { visit(item); });
+    }
+    text_ += ']';
+  }
+
+  void points(const std::vector<Eigen::Vector3d>& list) {
+    text_ += '[';
+    for (const Eigen::Vector3d& point : list) {
+      if (text_.back() != '[') text_ += ',';
+      numbers({point.data(), 3});
     }
     text_ += ']';
   }

@@ -6,6 +6,7 @@
 
 #include "knotwork/scene/document.h"
 #include "knotwork/scene/document_json.h"
+#include "knotwork/scene/later.h"
 
 /// What a document's JSON form consists of, said once. Each `members` function names the members of one JSON object
 /// with their limits; an Io visits them: one reads JSON, one writes it, one checks limits, and a test's compares them
@@ -20,6 +21,7 @@
 ///   list(name, vector, limits)        limits of the count
 ///   patches(name, map, limits)
 ///   points(name, vector of Vector3d, limits of the count)   numbers(name, vector of double, limits of the count)
+///   net(name, Net, limits of the count of rows and of the points in each)
 namespace knotwork::scene {
 
 template <class T, class U>
@@ -34,7 +36,15 @@ ChoiceIds ids_of(Topology);
 ChoiceIds ids_of(ShapeKind);
 ChoiceIds ids_of(ModelKind);
 ChoiceIds ids_of(BlendingKind);
+ChoiceIds ids_of(LocalSurfaceKind);
 ChoiceIds ids_of(MotionKind);
+ChoiceIds ids_of(DataParameters);
+ChoiceIds ids_of(KnotPlacement);
+ChoiceIds ids_of(FitEnds);
+ChoiceIds ids_of(LocalCurveKind);
+/// A row of the catalogue of curves, as an enumerator.
+enum class CurveRow : unsigned char {};
+ChoiceIds ids_of(CurveRow);
 
 /// The index of an id, -1 when there is no such one.
 int find_choice(const ChoiceIds& ids, std::string_view id);
@@ -61,36 +71,7 @@ void members(Io& io, Is<PatchEdit> auto& edit) {
   io.vector("scale", edit.scale, limits::scale);
 }
 
-template <class Io>
-void members(Io& io, Is<Sheet> auto& sheet) {
-  io.number("flatRadiusU", sheet.flat_radius_u, limits::length);
-  io.number("closedRadiusU", sheet.closed_radius_u, limits::length);
-  io.number("flatRadiusV", sheet.flat_radius_v, limits::length);
-  io.number("closedRadiusV", sheet.closed_radius_v, limits::length);
-}
-
-template <class Io>
-void members(Io& io, Is<Plane> auto& plane) {
-  io.vector("origin", plane.origin, limits::coordinate);
-  io.vector("uAxis", plane.u_axis, limits::coordinate);
-  io.vector("vAxis", plane.v_axis, limits::coordinate);
-}
-
-template <class Io>
-void members(Io& io, Is<Cylinder> auto& cylinder) {
-  io.number("radiusX", cylinder.radius_x, limits::length);
-  io.number("radiusY", cylinder.radius_y, limits::length);
-  io.number("height", cylinder.height, limits::length);
-}
-
-template <class Io>
-void members(Io& io, Is<Torus> auto& torus) {
-  io.number("wheelRadius", torus.wheel_radius, limits::length);
-  io.number("tubeRadius", torus.tube_radius, limits::length);
-  io.number("tubeHeight", torus.tube_height, limits::length);
-}
-
-/// The kind first: it decides which members follow.
+/// The kind first: it decides which measures follow.
 template <class Io>
 void members(Io& io, Is<ModelSurface> auto& model) {
   ModelKind kind = model_kind(model);
@@ -98,7 +79,11 @@ void members(Io& io, Is<ModelSurface> auto& model) {
   if constexpr (Io::reads) {
     if (kind != model_kind(model)) model = make_model(kind);
   }
-  std::visit([&io](auto& shape) { members(io, shape); }, model);
+  const std::span<const CatalogueMeasure> measures = model_measures(kind);
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    decltype(auto) value = model_measure(model, k);
+    io.number(measures[k].id, value, Limits{measures[k].least, measures[k].greatest});
+  }
 }
 
 template <class Io>
@@ -111,6 +96,9 @@ void members(Io& io, Is<BlendingSurfaceObject> auto& object) {
   io.group("locals", [&] {
     io.integer("u", object.locals_u, limits::locals);
     io.integer("v", object.locals_v, limits::locals);
+    io.choice("kind", object.patches.kind);
+    io.integer("degreeU", object.patches.degree_u, limits::patch_degree);
+    io.integer("degreeV", object.patches.degree_v, limits::patch_degree);
   });
   io.group("blending", [&] {
     io.choice("function", object.blending);
@@ -138,6 +126,102 @@ void members(Io& io, Is<BSplineCurveObject> auto& object) {
   io.number("parameter", object.parameter, limits::share);
 }
 
+template <class Io>
+void members(Io& io, Is<FittedCurveObject> auto& object) {
+  io.points("points", object.points, limits::data_points);
+  io.integer("degree", object.degree, limits::degree);
+  io.choice("topology", object.topology);
+  io.integer("count", object.count, limits::points);
+  io.choice("parameters", object.parameters);
+  io.choice("knots", object.knots);
+  io.choice("ends", object.ends);
+  io.number("smoothing", object.smoothing, limits::smoothing);
+}
+
+template <class Io>
+void members(Io& io, Is<SubdivisionCurveObject> auto& object) {
+  io.points("points", object.points, limits::points);
+  io.integer("degree", object.degree, limits::degree);
+  io.choice("topology", object.topology);
+  io.integer("levels", object.levels, limits::levels);
+  io.integer("step", object.step, limits::steps);
+  io.number("fraction", object.fraction, limits::share);
+  io.toggle("limit", object.limit);
+}
+
+/// The row first: it decides which measures follow.
+template <class Io>
+void members(Io& io, Is<CatalogueCurve> auto& curve) {
+  auto row = static_cast<CurveRow>(curve.row);
+  io.choice("kind", row);
+  if constexpr (Io::reads) {
+    if (static_cast<int>(row) != curve.row) curve = standard_curve(static_cast<int>(row));
+  }
+  std::size_t k = 0;
+  for (const CatalogueMeasure& measure : curve_catalogue()[static_cast<std::size_t>(curve.row)].measures)
+    io.number(measure.id, curve.measures[k++], Limits{measure.least, measure.greatest});
+}
+
+template <class Io>
+void members(Io& io, Is<ModelCurveObject> auto& object) {
+  io.group("model", [&] { members(io, object.model); });
+  io.number("parameter", object.parameter, limits::share);
+}
+
+template <class Io>
+void members(Io& io, Is<BlendingCurveObject> auto& object) {
+  io.group("model", [&] { members(io, object.model); });
+  io.choice("topology", object.topology);
+  io.group("locals", [&] {
+    io.integer("count", object.locals, limits::curve_locals);
+    io.choice("kind", object.local_kind);
+    io.integer("degree", object.local_degree, limits::local_degree);
+  });
+  io.group("blending", [&] {
+    io.choice("function", object.blending);
+    io.integer("parameter", object.blending_parameter, limits::blending_parameter);
+  });
+  io.numbers("knots", object.knots, limits::inner_knots);
+  io.patches("edits", object.edits, limits::patches);
+  io.number("parameter", object.parameter, limits::share);
+}
+
+template <class Io>
+void members(Io& io, Is<BSplineSurfaceObject> auto& object) {
+  io.group("degree", [&] {
+    io.integer("u", object.u.degree, limits::degree);
+    io.integer("v", object.v.degree, limits::degree);
+  });
+  io.group("topology", [&] {
+    io.choice("u", object.u.topology);
+    io.choice("v", object.v.topology);
+  });
+  io.group("knots", [&] {
+    io.numbers("u", object.u.knots, limits::net_knots);
+    io.numbers("v", object.v.knots, limits::net_knots);
+  });
+  io.net("net", object.net, limits::net);
+  io.group("samples", [&] {
+    io.integer("u", object.samples_u, limits::samples);
+    io.integer("v", object.samples_v, limits::samples);
+  });
+  io.group("sheet", [&] {
+    io.number("flatRadiusU", object.sheet.flat_radius_u, limits::length);
+    io.number("closedRadiusU", object.sheet.closed_radius_u, limits::length);
+    io.number("flatRadiusV", object.sheet.flat_radius_v, limits::length);
+    io.number("closedRadiusV", object.sheet.closed_radius_v, limits::length);
+  });
+}
+
+template <class Io>
+void members(Io& io, Is<ModelSurfaceObject> auto& object) {
+  io.group("model", [&] { members(io, object.model); });
+  io.group("samples", [&] {
+    io.integer("u", object.samples_u, limits::samples);
+    io.integer("v", object.samples_v, limits::samples);
+  });
+}
+
 /// The kind before the shape, as with models.
 template <class Io>
 void members(Io& io, Is<Object> auto& object) {
@@ -148,7 +232,7 @@ void members(Io& io, Is<Object> auto& object) {
   if constexpr (Io::reads) {
     if (kind != object.kind()) object.shape = make_shape(kind);
   }
-  std::visit([&io](auto& shape) { members(io, shape); }, object.shape);
+  visit_first([&io](auto& shape) { members(io, shape); }, object.shape);
 }
 
 template <class Io>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "knotwork/scene/blending_curve_edits.h"
 #include "knotwork/scene/curve_edits.h"
 
 namespace knotwork::scene {
@@ -33,8 +34,10 @@ std::size_t bytes(const Document& document) {
   std::size_t sum = sizeof document;
   for (const Object& object : document.objects) {
     sum += sizeof object + object.id.size() + object.label.size();
-    if (const auto* surface = std::get_if<BlendingSurfaceObject>(&object.shape))
-      sum += surface->edits.size() * (sizeof(std::pair<PatchIndex, PatchEdit>) + 4 * sizeof(void*));
+    if (const auto* edits = local_edits(object.shape))
+      sum += edits->size() * (sizeof(std::pair<PatchIndex, PatchEdit>) + 4 * sizeof(void*));
+    else if (const auto* spline = std::get_if<BSplineSurfaceObject>(&object.shape))
+      sum += spline->net.size() * (sizeof spline->net.front() + spline->net.front().size() * sizeof(Eigen::Vector3d));
     else
       sum += curve_points(object.shape).size() * 2 * sizeof(Eigen::Vector3d);  // knots are fewer than points by far
   }

@@ -35,6 +35,16 @@ int far_offset(int index, int count) {
   return k * total / count % patch_hue_count;
 }
 
+int grid_hue_index(std::pair<int, int> counts, std::pair<Topology, Topology> topologies, PatchIndex place) {
+  const auto [i, j] = place;
+  const auto [n_u, n_v] = counts;
+  // Only the small steps close a ring of three.
+  const bool v_near =
+      n_v == 3 && (n_u != 3 || (topologies.second == Topology::closed && topologies.first == Topology::open));
+  const int offset = v_near ? far_offset(i, n_u) + near_offset(j, n_v) : near_offset(i, n_u) + far_offset(j, n_v);
+  return offset % patch_hue_count;
+}
+
 }  // namespace
 
 Colour patch_hue(int hue, bool dark_scheme) {
@@ -45,13 +55,11 @@ Colour patch_hue(int hue, bool dark_scheme) {
 }
 
 int patch_hue_index(const BlendingSurfaceObject& object, PatchIndex patch) {
-  const auto [i, j] = patch;
-  const int n_u = object.locals_u, n_v = object.locals_v;
-  // Only the small steps close a ring of three.
-  const bool v_near =
-      n_v == 3 && (n_u != 3 || (object.topology_v == Topology::closed && object.topology_u == Topology::open));
-  const int offset = v_near ? far_offset(i, n_u) + near_offset(j, n_v) : near_offset(i, n_u) + far_offset(j, n_v);
-  return offset % patch_hue_count;
+  return grid_hue_index({object.locals_u, object.locals_v}, {object.topology_u, object.topology_v}, patch);
+}
+
+int patch_hue_index(const BSplineSurfaceObject& object, PatchIndex point) {
+  return grid_hue_index({object.rows(), object.columns()}, {object.u.topology, object.v.topology}, point);
 }
 
 }  // namespace knotwork::scene

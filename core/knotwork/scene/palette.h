@@ -15,5 +15,7 @@ Colour patch_hue(int hue, bool dark_scheme);
 
 /// The hue of patch (i, j): neighbours, diagonal ones and those across a closed seam included, differ.
 int patch_hue_index(const BlendingSurfaceObject& object, PatchIndex patch);
+/// The same of the control points of a net.
+int patch_hue_index(const BSplineSurfaceObject& object, PatchIndex point);
 
 }  // namespace knotwork::scene

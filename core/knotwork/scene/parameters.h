@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -19,6 +21,30 @@ struct Choice {
   std::string id, label;
 };
 
+/// A function of a row: its own, or one that several rows share, told apart by an index.
+template <class Signature>
+class RowFunction;
+template <class R, class... As>
+class RowFunction<R(As...)> {
+ public:
+  RowFunction() = default;
+  // Implicit on purpose: a row's functions are written as lambdas.
+  template <class F>
+  requires std::is_convertible_v<F, R (*)(As...)> RowFunction(F own)
+      : own_(own) {}  // NOLINT(google-explicit-constructor)
+  RowFunction(R (*shared)(std::size_t, As...), std::size_t index) : shared_(shared), index_(index) {}
+
+  explicit operator bool() const { return own_ != nullptr || shared_ != nullptr; }
+  R operator()(As... values) const {
+    return shared_ != nullptr ? shared_(index_, static_cast<As>(values)...) : own_(static_cast<As>(values)...);
+  }
+
+ private:
+  R (*own_)(As...) = nullptr;
+  R (*shared_)(std::size_t, As...) = nullptr;
+  std::size_t index_ = 0;
+};
+
 /// One row of the table that panel, HTML controls, script interface, share link and undo read.
 struct Parameter {
   std::string_view id;     ///< as `topology.u`
@@ -30,14 +56,18 @@ struct Parameter {
   std::string_view unit;
   std::vector<Choice> choices;
   bool in_history = true;  ///< false for the clock: playing and seeking are not undone
-  ParameterValue (*get)(const Document&) = nullptr;
+  RowFunction<ParameterValue(const Document&)> get;
   /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure). The error's path is empty:
   /// apply() fills in the id.
-  Status (*set)(Document&, const ParameterValue&) = nullptr;
+  RowFunction<Status(Document&, const ParameterValue&)> set;
   /// Whether what is on the stage has this parameter. The functions around are for documents in which it has.
-  bool (*applies)(const Document&) = nullptr;
+  RowFunction<bool(const Document&)> applies;
   /// Why this row cannot be changed now, empty when it can (e.g. m of a B-function without parameter).
-  std::string (*disabled)(const Document&) = nullptr;
+  RowFunction<std::string(const Document&)> disabled;
+  /// The limits of a number now, where they are narrower than min and max; see range_of().
+  RowFunction<Limits(const Document&)> range;
+  /// Where a slider had better begin and end now, where soft_max does not say it; see soft_range_of().
+  RowFunction<Limits(const Document&)> soft_range;
 };
 
 std::span<const Parameter> parameters();
@@ -55,5 +85,7 @@ std::string side_effect(const Document& document, const Parameter& parameter, co
 
 /// The limits of a number now: those of blending.parameter are the B-function's, where it has a parameter.
 Limits range_of(const Document& document, const Parameter& parameter);
+/// Where a slider had better begin and end now: within range_of().
+Limits soft_range_of(const Document& document, const Parameter& parameter);
 
 }  // namespace knotwork::scene

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include <Eigen/Geometry>
+
 namespace knotwork::scene {
 
 namespace {
@@ -19,6 +21,7 @@ std::vector<double> net_parameters(const KnotVector& knots) {
   std::vector<double> t;
   for (int i = 0; i < intervals; ++i) {
     const double start = knots[knots.degree() + i], end = knots[knots.degree() + i + 1];
+    if (!(start < end)) continue;  // at a multiple knot
     for (int k = 0; k < steps; ++k) t.push_back(start + (end - start) * k / steps);
   }
   t.push_back(knots.end());
@@ -74,7 +77,7 @@ double kept_in(const KnotVector& knots, double t) {
 }
 
 /// Solves S(u,v) = origin + distance direction by Newton's method with the analytic partials.
-std::optional<SurfaceHit> polish(const BlendingSurface& surface, const Ray& ray, const Start& start, double size) {
+std::optional<SurfaceHit> polish(const KnottedSurface& surface, const Ray& ray, const Start& start, double size) {
   double u = start.u, v = start.v, distance = start.distance;
   double last_error = 0;
   for (int iteration = 0; iteration < 24; ++iteration) {
@@ -85,7 +88,7 @@ std::optional<SurfaceHit> polish(const BlendingSurface& surface, const Ray& ray,
     // One more step after the tolerance is met costs little and gives the last digits.
     if (settled && (iteration > 0 && (error == 0 || error >= last_error / 4))) {
       if (!(distance > 0)) return std::nullopt;
-      return SurfaceHit{surface.knots_u().reduced(u), surface.knots_v().reduced(v), distance, jet};
+      return SurfaceHit{surface.knots_u->reduced(u), surface.knots_v->reduced(v), distance, jet};
     }
     last_error = error;
 
@@ -97,8 +100,8 @@ std::optional<SurfaceHit> polish(const BlendingSurface& surface, const Ray& ray,
     if (!step.allFinite()) return std::nullopt;
     const double shorter = std::min(
         {1.0, start.step_u / std::max(std::abs(step[0]), 1e-300), start.step_v / std::max(std::abs(step[1]), 1e-300)});
-    u = kept_in(surface.knots_u(), u + shorter * step[0]);
-    v = kept_in(surface.knots_v(), v + shorter * step[1]);
+    u = kept_in(*surface.knots_u, u + shorter * step[0]);
+    v = kept_in(*surface.knots_v, v + shorter * step[1]);
     distance += shorter * step[2];
   }
   return std::nullopt;
@@ -106,8 +109,8 @@ std::optional<SurfaceHit> polish(const BlendingSurface& surface, const Ray& ray,
 
 }  // namespace
 
-PickNet::PickNet(const BlendingSurface& surface)
-    : u_(net_parameters(surface.knots_u())), v_(net_parameters(surface.knots_v())) {
+PickNet::PickNet(const KnottedSurface& surface)
+    : u_(net_parameters(*surface.knots_u)), v_(net_parameters(*surface.knots_v)) {
   points_.reserve(u_.size() * v_.size());
   std::vector<SurfaceJet> column(v_.size());
   for (const double& u : u_) {
@@ -133,7 +136,7 @@ PickNet::PickNet(const BlendingSurface& surface)
   }
 }
 
-std::optional<SurfaceHit> PickNet::pick(const BlendingSurface& surface, const Ray& given) const {
+std::optional<SurfaceHit> PickNet::pick(const KnottedSurface& surface, const Ray& given) const {
   const double length = given.direction.norm();
   if (!std::isfinite(length) || length == 0) return std::nullopt;
   const Ray ray{given.origin, given.direction / length};

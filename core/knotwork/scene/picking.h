@@ -3,7 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "knotwork/surface/blending_surface.h"
+#include <Eigen/Core>
+
+#include "knotwork/surface/knotted_surface.h"
 
 namespace knotwork::scene {
 
@@ -21,11 +23,11 @@ struct SurfaceHit {
 /// the surface moves.
 class PickNet {
  public:
-  explicit PickNet(const BlendingSurface& surface);
+  explicit PickNet(const KnottedSurface& surface);
   /// The nearest point of the surface on the ray (from the net, polished by Newton's method on the true surface to
   /// 1e-10 of its size), if the ray meets it in front of its origin. Both sides of the surface count. What bulges out
   /// of the net by less than its sagitta can be missed where the ray only grazes it.
-  std::optional<SurfaceHit> pick(const BlendingSurface& surface, const Ray& ray) const;
+  std::optional<SurfaceHit> pick(const KnottedSurface& surface, const Ray& ray) const;
 
   Eigen::Vector3d centre() const { return centre_; }
   double radius() const { return radius_; }  ///< of a ball round centre() that holds the net

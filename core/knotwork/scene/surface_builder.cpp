@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "knotwork/scene/motion.h"
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork::scene {
@@ -76,41 +75,6 @@ Pose mixed(const Pose& a, const Pose& b, double share) {
   return result;
 }
 
-/// The frame of THEORY's sub-surface patch at a point of the model; x is any tangent where S_u vanishes.
-Eigen::Matrix3d frame(const SurfaceJet& jet) {
-  const Eigen::Vector3d normal = unit_normal(jet);
-  Eigen::Vector3d x = jet.su - normal.dot(jet.su) * normal;
-  if (x.norm() <= 1e-12 * (jet.su.norm() + jet.sv.norm())) x = normal.unitOrthogonal();
-  x.normalize();
-  Eigen::Matrix3d result;
-  result << x, normal.cross(x), normal;
-  return result;
-}
-
-/// M_ij. Unmoved it is a translation exactly, so that an unmoved surface is the model itself.
-Eigen::Affine3d local_map(const SurfaceJet& centre, const Pose& pose) {
-  const PatchEdit& edit = pose.edit;
-  const PatchMotion& motion = pose.motion;
-  const Eigen::Quaterniond identity = Eigen::Quaterniond::Identity();
-  const auto is_identity = [&](const Eigen::Quaterniond& q) { return q.coeffs() == identity.coeffs(); };
-
-  Eigen::Affine3d map = Eigen::Affine3d::Identity();
-  map.translation() = centre.s + motion.model_translation;
-  const Eigen::Vector3d own = edit.translation + motion.own_translation;
-  const bool turned = !is_identity(edit.rotation) || !is_identity(motion.own_rotation);
-  const bool scaled = edit.scale != Eigen::Vector3d::Ones();
-  if (own != Eigen::Vector3d::Zero() || turned || scaled) {
-    const Eigen::Matrix3d f = frame(centre);
-    map.translation() += f * own;
-    if (turned || scaled) {
-      const Eigen::Matrix3d turn = (edit.rotation.normalized() * motion.own_rotation).toRotationMatrix();
-      map.linear() = f * turn * edit.scale.asDiagonal() * f.transpose();
-    }
-  }
-  if (!is_identity(motion.model_rotation)) map.linear() = map.linear() * motion.model_rotation.toRotationMatrix();
-  return map;
-}
-
 DirectionSummary summary(const KnotVector& knots) {
   const int first = knots.degree(), last = knots.last_span() + 1;
   return {knots.topology(),       knots.start(), knots.end(), first, last, {knots.knots().begin(), knots.knots().end()},
@@ -123,6 +87,16 @@ SurfaceJet centre_jet(const BlendingSurface& surface, PatchIndex patch) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d tangent_frame(const SurfaceJet& jet) {
+  const Eigen::Vector3d normal = unit_normal(jet);
+  Eigen::Vector3d x = jet.su - normal.dot(jet.su) * normal;
+  if (x.norm() <= 1e-12 * (jet.su.norm() + jet.sv.norm())) x = normal.unitOrthogonal();
+  x.normalize();
+  Eigen::Matrix3d result;
+  result << x, normal.cross(x), normal;
+  return result;
+}
 
 Roll rest_roll(const BlendingSurfaceObject& object) {
   return {object.topology_u == Topology::closed ? 1.0 : 0.0, object.topology_v == Topology::closed ? 1.0 : 0.0};
@@ -140,7 +114,7 @@ BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animati
   const int parameter = blending_family(object.blending).parameter_max > 0 ? object.blending_parameter : 0;
   Result<BlendingSurface> surface =
       BlendingSurface::make(model, knots_u, knots_v, BlendingFunction::make(object.blending, parameter).value(),
-                            BlendingSurface::unmoved_locals(model, knots_u, knots_v));
+                            BlendingSurface::unmoved_locals(model, knots_u, knots_v), object.patches);
   update_locals(surface.value(), object, animation, roll);
   return std::move(surface).value();
 }
@@ -157,13 +131,21 @@ void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object
   for (int i = 0; i < u.rows(); ++i) {
     for (int j = 0; j < v.rows(); ++j) {
       const Pose here = i < u.count ? pose_in_row(i, j) : mixed(pose_in_row(u.count - 1, j), pose_in_row(0, j), u.roll);
-      surface.set_local(i, j, local_map(centre_jet(surface, {i, j}), here));
+      const SurfaceJet centre = centre_jet(surface, {i, j});
+      surface.set_local(i, j, local_map({centre.s, tangent_frame(centre), here.edit, here.motion}));
     }
   }
 }
 
+LocalFrame local_frame(const BlendingSurfaceObject& object, const Animation& animation, const BlendingSurface& surface,
+                       PatchIndex patch) {
+  const SurfaceJet centre = centre_jet(surface, patch);
+  const Pose here = pose(object, animation, patch);
+  return {centre.s, tangent_frame(centre), here.edit, here.motion};
+}
+
 Eigen::Matrix3d patch_frame(const BlendingSurface& surface, PatchIndex patch) {
-  return frame(centre_jet(surface, patch));
+  return tangent_frame(centre_jet(surface, patch));
 }
 
 Eigen::Vector3d patch_origin(const BlendingSurface& surface, PatchIndex patch) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "knotwork/scene/document.h"
+#include "knotwork/scene/local_frame.h"
 #include "knotwork/surface/blending_surface.h"
 
 namespace knotwork::scene {
@@ -26,7 +27,13 @@ BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animati
 void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation,
                    Roll roll);
 
-/// F: columns S_u/|S_u|, N x S_u/|S_u|, N of the model at the centre of local (i,j).
+/// Patch (i,j) as the document has it: the surface gives knots and model only. The axes are those of patch_frame().
+LocalFrame local_frame(const BlendingSurfaceObject& object, const Animation& animation, const BlendingSurface& surface,
+                       PatchIndex patch);
+
+/// F: columns S_u/|S_u|, N x S_u/|S_u|, N; the first is any tangent where S_u vanishes.
+Eigen::Matrix3d tangent_frame(const SurfaceJet& jet);
+/// The model's at the centre of local (i,j).
 Eigen::Matrix3d patch_frame(const BlendingSurface& surface, PatchIndex patch);
 
 /// The origin of local (i,j) on the stage: M_ij (0,0,0).

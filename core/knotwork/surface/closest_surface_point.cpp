@@ -19,11 +19,11 @@ constexpr double same_surface_point = 1e-14;
 /// One parameter of the surface: its grid, and how it goes on at its ends.
 struct GridDirection {
   Interval domain;
-  bool closed;
+  bool closed;               ///< a twisted direction is searched as an open one: its domain holds every point
   std::vector<double> grid;  ///< closed: without the end, which is the start again
 
-  GridDirection(const Interval& where, Topology topology, std::span<const double> breaks, int detail)
-      : domain(where), closed(topology == Topology::closed) {
+  GridDirection(const Interval& where, Closure closure, std::span<const double> breaks, int detail)
+      : domain(where), closed(closure == Closure::closed) {
     const std::vector<double> ends = piece_ends(where.start, where.end, breaks);
     for (std::size_t piece = 1; piece < ends.size(); ++piece) {
       for (int k = 0; k < detail; ++k)

@@ -4,32 +4,12 @@
 #include <string_view>
 #include <variant>
 
-#include "knotwork/basis/interval.h"
-#include "knotwork/basis/knot_vector.h"
+#include "knotwork/result.h"
+#include "knotwork/surface/surface_catalogue.h"
+#include "knotwork/surface/surface_domain.h"
 #include "knotwork/surface/surface_jet.h"
 
 namespace knotwork {
-
-/// S(u,v) = origin + u u_axis + v v_axis on [0,1]^2, open in u and v.
-struct Plane {
-  Eigen::Vector3d origin{-1, -1, 0}, u_axis{2, 0, 0}, v_axis{0, 2, 0};
-
-  bool operator==(const Plane&) const = default;
-};
-
-/// S(u,v) = (rx sin v, ry cos v, h u) on [-1/2,1/2] x [-3pi/2, pi/2], closed in v. Elliptic when rx != ry.
-struct Cylinder {
-  double radius_x = 1, radius_y = 1, height = 2;
-
-  bool operator==(const Cylinder&) const = default;
-};
-
-/// S(u,v) = ((a + b cos v) cos u, (a + b cos v) sin u, c sin v) on [0,2pi]^2, closed in u and v.
-struct Torus {
-  double wheel_radius = 1, tube_radius = 0.4, tube_height = 0.4;  ///< a, b, c
-
-  bool operator==(const Torus&) const = default;
-};
 
 /// A rubber sheet on [-pi,pi]^2 that rolls up: bend 0 is flat and bend 1 closed, in u and in v, so that the corners of
 /// the unit square of bends are a plane, two cylinders and a torus. In between, each direction is an arc that turns
@@ -53,21 +33,16 @@ struct Sheet {
   bool operator==(const Sheet&) const = default;
 };
 
-using ModelSurface = std::variant<Plane, Cylinder, Torus, Sheet>;
-
-/// Where a model surface lives and in which directions it is periodic.
-struct SurfaceDomain {
-  Interval u, v;
-  Topology closure_u, closure_v;
-};
+/// What a blending surface can be made over: the sheet that follows the topology, or any surface of the catalogue.
+using ModelSurface = std::variant<Sheet, CatalogueSurface>;
 
 SurfaceDomain domain(const ModelSurface& model);
 
-/// The name in a sentence, as `torus`.
+/// The name in a sentence after "the", as `torus`.
 std::string_view model_name(const ModelSurface& model);
 
-/// Coordinates at most 10^6, axes not parallel, radii and heights in [10^-6, 10^6], bends in [0,1]. Error path: the
-/// member's name.
+/// A sheet's radii in [10^-6, 10^6] and bends in [0,1]; error path: the member's name. A catalogue surface as its own
+/// validate().
 Status validate(const ModelSurface& model);
 
 /// Point and partials from one formula on truncated Taylor series. u, v are not reduced to the domain.

@@ -35,6 +35,7 @@ SurfaceView surface_view(const Surface& surface, const SurfaceDomain& domain, st
   return {&surface, function, domain, breaks_u, breaks_v, detail};
 }
 SurfaceView surface_view(const ModelSurface& surface);
+SurfaceView surface_view(const CatalogueSurface& surface);
 SurfaceView surface_view(const BlendingSurface& surface);
 
 }  // namespace knotwork

@@ -5,10 +5,12 @@
 
 namespace knotwork {
 
-/// A point whose coordinates are functions of (u,v).
-struct Taylor2Point {
-  Taylor2 x, y, z;
+/// A point whose coordinates are functions of (u,v), as truncated series.
+template <class Series>
+struct PointOf {
+  Series x, y, z;
 };
+using Taylor2Point = PointOf<Taylor2>;
 
 /// The point and its partials.
 inline SurfaceJet jet(const Taylor2Point& p) {

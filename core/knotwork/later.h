@@ -1,0 +1,10 @@
+#pragma once
+
+/// The page's module comes in two parts: the first holds what the first figure needs, the second all that is reached
+/// through functions marked KNOTWORK_LATER alone, and is loaded behind the first picture (web/cmake/split_module.mjs
+/// finds the mark in the functions' names). Elsewhere the mark means nothing.
+#define KNOTWORK_LATER [[gnu::noinline, gnu::abi_tag("later")]]
+
+/// Marks a function that makes a row of a table, whose functions without captures (a parameter's `set`, say) belong to
+/// the second part, but not itself, as the table is made at the start.
+#define KNOTWORK_LATER_ROW [[gnu::abi_tag("rows")]]

@@ -1,0 +1,59 @@
+#include "web/figure_panel.h"
+
+#include "knotwork/scene/later.h"
+#include "web/blending_curve_panel.h"
+#include "web/blending_panel.h"
+#include "web/curve_panel.h"
+#include "web/fit_panel.h"
+#include "web/model_curve_panel.h"
+#include "web/model_panel.h"
+#include "web/net_panel.h"
+#include "web/subdivision_panel.h"
+
+namespace knotwork::web {
+
+float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const SurfaceCurvature& curved) {
+  const Theme& theme = frame.input.theme;
+  const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
+    text(frame.ui, face, {left, y}, colour(ink), first);
+    text(frame.ui, face, {left + 84, y}, colour(ink), second);
+    y += 20;
+  };
+  pair(Face::bold, theme.ink, "u " + text_of("%.3f", place.x), "v " + text_of("%.3f", place.y));
+  pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
+  return y + 2;
+}
+
+std::string size_text(const Frame& frame) {
+  return scene::visit_first([&](const auto& figure) { return size_text(frame, figure); }, frame.input.figure);
+}
+
+std::vector<Tool> tools_of(const Frame& frame) {
+  return scene::visit_first([&](const auto& figure) { return tools_of(frame, figure); }, frame.input.figure);
+}
+
+void draw_rows(Frame& frame, Column& column) {
+  scene::visit_first([&](const auto& figure) { draw_rows(frame, column, figure); }, frame.input.figure);
+}
+
+bool has_table(const Frame& frame) {
+  return scene::visit_first([](const auto& figure) { return has_table(figure); }, frame.input.figure);
+}
+
+void draw_table(Frame& frame, Column& column) {
+  scene::visit_first([&](const auto& figure) { draw_table(frame, column, figure); }, frame.input.figure);
+}
+
+float strip_height(const Frame& frame) {
+  return scene::visit_first([&](const auto& figure) { return strip_height(frame, figure); }, frame.input.figure);
+}
+
+void draw_strip(Frame& frame, const Rect& place) {
+  scene::visit_first([&](const auto& figure) { draw_strip(frame, place, figure); }, frame.input.figure);
+}
+
+void draw_readout(Frame& frame, float left, float y) {
+  scene::visit_first([&](const auto& figure) { draw_readout(frame, left, y, figure); }, frame.input.figure);
+}
+
+}  // namespace knotwork::web

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knotwork/surface/surface_measures.h"
+#include "web/panel_frame.h"
+
+namespace knotwork::web {
+
+/// A button in the row of tools: it performs its command, or acts as the key does on the stage.
+struct Tool {
+  std::string_view id;
+  Icon icon;
+  bool enabled;
+  std::string_view hint;
+  std::optional<scene::Command> command;
+  std::string_view key{};
+};
+
+/// Where a place of a surface is and how it is curved there, two lines; the next line's middle.
+float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const SurfaceCurvature& curved);
+
+// What the panel shows of the figure on the stage. Each kind of figure has functions of these names with the figure as
+// one more argument, in its own <kind>_panel.h.
+
+/// The size beside the title, as "6 × 4".
+std::string size_text(const Frame& frame);
+/// The buttons that only this kind has.
+std::vector<Tool> tools_of(const Frame& frame);
+/// Rows of the card below the first parameters.
+void draw_rows(Frame& frame, Column& column);
+/// A table that is folded away where the stage is low.
+bool has_table(const Frame& frame);
+void draw_table(Frame& frame, Column& column);
+/// The plot at the stage's foot; no height: none.
+float strip_height(const Frame& frame);
+void draw_strip(Frame& frame, const Rect& place);
+/// What is selected and what is under the pointer, at the stage's upper left corner; `y` is the first line's middle.
+void draw_readout(Frame& frame, float left, float y);
+
+}  // namespace knotwork::web

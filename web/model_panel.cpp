@@ -1,0 +1,23 @@
+#include "web/model_panel.h"
+
+#include <array>
+
+#include "knotwork/surface/surface_measures.h"
+
+namespace knotwork::web {
+
+/// "closed × twisted", u first.
+std::string size_text(const Frame&, const ModelSurfaceFigure& figure) {
+  constexpr std::array<std::string_view, 3> words{"open", "closed", "twisted"};
+  const SurfaceDomain where = domain(figure.shown.model());
+  return std::string(words[static_cast<std::size_t>(where.closure_u)]) + " × " +
+         std::string(words[static_cast<std::size_t>(where.closure_v)]);
+}
+
+void draw_readout(Frame& frame, float left, float y, const ModelSurfaceFigure& figure) {
+  if (!frame.input.pointed) return;
+  const glm::dvec2 place = *frame.input.pointed;
+  place_readout(frame, left, y, place, curvature(figure.shown.evaluate(place.x, place.y)));
+}
+
+}  // namespace knotwork::web

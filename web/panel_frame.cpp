@@ -1,0 +1,69 @@
+#include "web/panel_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "web/figure_panel.h"
+
+namespace knotwork::web {
+namespace {
+
+constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
+
+}  // namespace
+
+float Frame::foot() const {
+  const float strip = strip_height(*this);
+  return strip + (has_clock() ? clock_height : ui.touch && strip > 0 ? 0.0F : tools_height);
+}
+
+std::string text_of(const char* format, double value) {
+  std::array<char, 48> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  std::string text(buffer.data());
+  // A value that rounds to zero has no sign.
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  // The typographic minus is as wide as a figure.
+  if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+  return text;
+}
+
+std::string superscript(int number) {
+  constexpr std::array<std::string_view, 10> figures{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return std::string(figures[static_cast<std::size_t>(std::clamp(number, 0, 9))]);
+}
+
+std::string subscript(int number) {
+  std::string out;
+  for (const char figure : std::to_string(number))
+    out += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
+  return out;
+}
+
+void claim(Frame& frame, const Rect& rect) {
+  frame.output.regions.push_back({rect.x, rect.y, rect.width, rect.height});
+}
+
+void begin(Frame& frame, const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+  if (!(flags & ImGuiWindowFlags_NoInputs)) claim(frame, rect);
+  ImGui::SetNextWindowPos(rect.min());
+  ImGui::SetNextWindowSize({rect.width, rect.height});
+  ImGui::Begin(name, nullptr, plain | flags);
+  sharpen(frame.ui, *ImGui::GetWindowDrawList());
+}
+
+void take_gesture(Frame& frame) {
+  frame.output.begin_gesture = true;
+  frame.state.slider_held = true;
+}
+
+void end_gesture(Frame& frame) {
+  if (!frame.state.slider_held) return;
+  frame.output.end_gesture = true;
+  frame.state.slider_held = false;
+}
+
+}  // namespace knotwork::web
