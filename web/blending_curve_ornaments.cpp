@@ -68,6 +68,7 @@ void add_strands(Picture& picture, const scene::BlendingCurveFigure& figure, std
 
 void add_blend(Picture& picture, const scene::BlendingCurveFigure& figure) {
   std::vector<glm::vec3> hues;
+  hues.reserve(static_cast<std::size_t>(count_of(figure)));
   for (int k = 0; k < count_of(figure); ++k) hues.push_back(oklab(local_hue(k, count_of(figure), picture.theme.dark)));
   for (std::size_t i = 0; i + 1 < figure.samples.size(); ++i) {
     const auto& sample = figure.samples[i];

@@ -66,6 +66,7 @@ void direction_strip(Frame& frame, const Rect& place, const scene::CurveFigure& 
   const int across = scene::line_count(object, along_u ? NetDirection::v : NetDirection::u);
   const int other = point ? std::min(along_u ? point->second : point->first, across - 1) : 0;
   std::vector<Colour> hues;
+  hues.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     hues.push_back(hue_of(frame, object, along_u ? scene::PatchIndex(k, other) : scene::PatchIndex(other, k)));
 

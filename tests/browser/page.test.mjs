@@ -476,5 +476,5 @@ pageTest('a real selection of prose is possible, and print has the prose and a s
 pageTest('the notice line tells what is held', {}, async (page) => {
   const handle = await frontHandle(page);
   await page.mouse.click(...handle.screen);
-  await until(page, () => document.querySelector('[role=status]').textContent.length > 3);
+  await until(page, () => document.getElementById('notice').textContent.length > 3);
 });

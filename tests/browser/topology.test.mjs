@@ -240,7 +240,7 @@ pageTest('a closure that the model does not have is refused, with the reason in 
   assert.equal(reason.seen, true, 'the reason is hidden');
 
   await clickWidget(page, 'topology.u: closed');
-  await page.waitForFunction(() => /plane/i.test(document.querySelector('[role=status]').textContent));
+  await page.waitForFunction(() => /plane/i.test(document.getElementById('notice').textContent));
   await settled(page);
   assert.deepEqual(await documentOf(page), before, 'the refused closure has changed something');
 });

@@ -135,7 +135,9 @@ inline std::vector<SurfaceCase> further_surface_cases() {
   const Topology open = Topology::open, closed = Topology::closed;
   const auto model = [](const char* id) { return ModelSurface(make_catalogue_surface(id).value()); };
   const double pi = std::numbers::pi;
-  const auto knots = [](Topology topology, std::vector<double> t) { return KnotVector::make(1, topology, t).value(); };
+  const auto knots = [](Topology topology, std::vector<double> t) {
+    return KnotVector::make(1, topology, std::move(t)).value();
+  };
   const auto even = [](int n, Topology topology, double start, double end) {
     return KnotVector::uniform(1, n, topology, start, end).value();
   };

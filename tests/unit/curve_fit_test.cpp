@@ -24,6 +24,7 @@ std::vector<Eigen::Vector3d> circle(int points, double steps) {
 /// Seventeen points on a bent line, none twice.
 std::vector<Eigen::Vector3d> bent_line() {
   std::vector<Eigen::Vector3d> list;
+  list.reserve(17);
   for (int j = 0; j < 17; ++j) list.emplace_back(j, std::sin(0.6 * j), 0.1 * j * j);
   return list;
 }

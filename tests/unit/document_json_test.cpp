@@ -313,6 +313,8 @@ TEST_CASE("document JSON: junk of every size is refused") {
   std::string wide = "[0";
   for (int k = 0; k < 100000; ++k) wide += ",0";
   CHECK(refusal(wide + "]").message == "Is in a longer list than any in a document.");
+  CHECK(refusal("{\"patches\":" + wide + "]}").path == "patches[16384]");
+  CHECK(refusal("{\"points\":" + wide + "]}").path == "points[20000]");
   std::string keys = "{\"k\":0";
   for (int k = 0; k < 100000; ++k) keys += ",\"k" + std::to_string(k) + "\":0";
   CHECK(refusal(keys + "}").message == "Is in an object with more members than any in a document.");

@@ -64,7 +64,7 @@ struct Drawer {
     }
     return refused + send(PointerType::up, {400 + radius * std::cos(1.6), 300 - radius * std::sin(1.6)});
   }
-  const std::vector<Eigen::Vector3d> points() const {
+  std::vector<Eigen::Vector3d> points() const {
     const auto list = scene::curve_points(scene::stage_shape(document));
     return {list.begin(), list.end()};
   }
@@ -172,6 +172,7 @@ TEST_CASE("drawing: data are dragged, added and deleted by hand; no press betwee
 TEST_CASE("drawing: many data have no handles, and no one of them is selected") {
   Drawer drawer("least-squares");
   std::vector<Eigen::Vector3d> many;
+  many.reserve(20000);
   for (int j = 0; j < 20000; ++j) many.emplace_back(0.001 * j, std::sin(0.001 * j), 0);
   Outcome pasted;
   pasted.commands = {scene::SetPoints{many}};

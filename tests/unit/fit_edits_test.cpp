@@ -38,6 +38,7 @@ Error refusal(Document document, const Command& command) {
 
 std::vector<Eigen::Vector3d> wave(int count) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int j = 0; j < count; ++j) points.emplace_back(0.01 * j, std::sin(0.01 * j), 0);
   return points;
 }
@@ -58,12 +59,10 @@ TEST_CASE("fit edits: the start documents are the report's experiment, and the s
 
 TEST_CASE("fit edits: every parameter reaches the fit") {
   const double plain = rms(start());
-  for (const auto& [id, value] : std::vector<std::pair<std::string, ParameterValue>>{{"curve.degree", 5.0},
-                                                                                     {"curve.topology", "closed"},
-                                                                                     {"fitted.smoothing", 2.0},
-                                                                                     {"fitted.knots", "averaged"}}) {
-    CAPTURE(id);
-    CHECK(rms(with(id, value)) != plain);
+  for (const SetParameter& edit : {SetParameter{"curve.degree", 5.0}, SetParameter{"curve.topology", "closed"},
+                                   SetParameter{"fitted.smoothing", 2.0}, SetParameter{"fitted.knots", "averaged"}}) {
+    CAPTURE(edit.id);
+    CHECK(rms(with(edit.id, edit.value)) != plain);
   }
   // Of equal chords every exponent makes the same parameters; of unequal ones it does not.
   Document document = start();

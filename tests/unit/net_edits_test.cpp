@@ -185,7 +185,11 @@ TEST_CASE("net edits: as commands they are described, undone exactly, and refuse
   Document document = find_chapter("tensor-surface")->start_document();
   const Document before = document;
   History history;
-  const std::vector<std::pair<Command, std::string>> edits{
+  struct Edit {
+    Command command;
+    std::string words;
+  };
+  const std::vector<Edit> edits{
       {SetNetPoint{{1, 2}, {1, 2, 3}}, "Move point 1, 2"},
       {InsertNetLine{NetDirection::v, 0.5}, "Add a column"},
       {RemoveNetLine{NetDirection::u, 4}, "Delete row 4"},
@@ -194,10 +198,10 @@ TEST_CASE("net edits: as commands they are described, undone exactly, and refuse
       {SetParameter{"net.u", 9.0}, "Set rows (u) to 9"},
       {SetParameter{"surface.degree.v", 5.0}, "Set degree v to 5"},
   };
-  for (const auto& [command, words] : edits) {
-    CAPTURE(words);
-    REQUIRE(history.perform(document, command));
-    CHECK(history.undo_label() == words);
+  for (const Edit& edit : edits) {
+    CAPTURE(edit.words);
+    REQUIRE(history.perform(document, edit.command));
+    CHECK(history.undo_label() == edit.words);
     CHECK(check(document));
   }
   while (history.undo(document)) {

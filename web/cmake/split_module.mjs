@@ -10,17 +10,17 @@ import { join } from 'node:path';
 
 const [folder, module, later, ...options] = process.argv.slice(2);
 // Functions of the second part by their names: marked ones; what is inside a marked maker of rows (its functions, that
-// is, not the maker); the catalogues' formulas; copying and comparing shapes and figures of any kind but the first; and
-// what stands for another surface than the blending one.
+// is, not the maker, even where it has a marked function as an argument); the catalogues' formulas; copying and
+// comparing shapes and figures of any kind but the first; and what stands for another surface than the blending one.
 const marks = [
-  /\[abi:later\]/,
-  /\[abi:rows\].*\)::/,
+  /^(?!.*\[abi:rows\]).*\[abi:later\]/,
+  /\[abi:rows\].*\)::(\$_|'lambda)/,
   /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/,
   /__dispatcher<[1-9]\d*ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::(web::BlendingFigure|scene::BlendingSurfaceObject)/,
   /knotted_surface<(?!knotwork::BlendingSurface>)/,
 ];
 const plain = (name) => name.replace(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
-const isMarked = (name) => marks.some((mark) => mark.test(plain(name)));
+const isMarked = (name) => !folded.has(name) && marks.some((mark) => mark.test(plain(name)));
 const run = (tool, ...args) => execFileSync(join(folder, tool), args, { encoding: 'utf8', maxBuffer: 1 << 28 });
 const features = options.filter((option) => option.startsWith('--enable') || option === '-all');
 
@@ -42,7 +42,15 @@ function callGraph() {
   return { calls, entries };
 }
 
+/// Functions of one expression, `return false` say. The linker has folded all that are alike into one, whose name is that
+/// of any of them: it tells nothing about who calls it.
+function foldedFunctions() {
+  const text = run('wasm-opt', module, ...features, '-S', '-o', '-');
+  return new Set([...text.matchAll(/^ \(func \$(\S+).*\n {2}\(.*\)\n \)$/gm)].map((match) => match[1]));
+}
+
 const { calls, entries } = callGraph();
+const folded = foldedFunctions();
 const first = new Set();
 const ahead = [...entries];
 while (ahead.length > 0) {

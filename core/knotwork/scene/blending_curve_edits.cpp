@@ -114,6 +114,7 @@ KnotVector knots_of(const BlendingCurveObject& object) {
   const double length = where.end - where.start;
   std::vector<double> knots;
   const std::vector<double> shares = knot_shares(object);
+  knots.reserve(shares.size() + 2);
   for (const double share : shares) knots.push_back(std::lerp(where.start, where.end, share));
   // One more at either end: the same again, or the neighbour from the other end of the period.
   const double first = closed ? knots[knots.size() - 2] - length : knots.front();

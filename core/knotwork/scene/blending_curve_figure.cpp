@@ -69,6 +69,7 @@ std::vector<Eigen::Matrix3d> local_frames(const CatalogueCurve& model, const Kno
   CurveView curve = view_of(model);
   curve.topology = Topology::open;  // the frame need not come round, and both ends of a period may be centres
   std::vector<double> centres;
+  centres.reserve(static_cast<std::size_t>(knots.count()));
   for (int k = 0; k < knots.count(); ++k) centres.push_back(std::clamp(knots[k + 1], curve.start, curve.end));
   std::array<Eigen::Vector3d, 4> jet;
   curve.evaluate(centres.front(), jet);

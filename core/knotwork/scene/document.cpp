@@ -81,27 +81,36 @@ ChoiceIds ids_of(LocalSurfaceKind) {
 std::span<const ShapeRow> shape_kinds() { return shape_table; }
 
 Shape make_shape(ShapeKind kind) {
+  Shape shape;
   switch (kind) {
     case ShapeKind::bezier_curve:
-      return BezierCurveObject{};
+      shape.emplace<BezierCurveObject>();
+      break;
     case ShapeKind::bspline_curve:
-      return BSplineCurveObject{};
+      shape.emplace<BSplineCurveObject>();
+      break;
     case ShapeKind::fitted_curve:
-      return FittedCurveObject{};
+      shape.emplace<FittedCurveObject>();
+      break;
     case ShapeKind::subdivision_curve:
-      return SubdivisionCurveObject{};
+      shape.emplace<SubdivisionCurveObject>();
+      break;
     case ShapeKind::model_curve:
-      return ModelCurveObject{};
+      shape.emplace<ModelCurveObject>();
+      break;
     case ShapeKind::blending_curve:
-      return BlendingCurveObject{};
+      shape.emplace<BlendingCurveObject>();
+      break;
     case ShapeKind::bspline_surface:
-      return BSplineSurfaceObject{};
+      shape.emplace<BSplineSurfaceObject>();
+      break;
     case ShapeKind::model_surface:
-      return ModelSurfaceObject{};
+      shape.emplace<ModelSurfaceObject>();
+      break;
     case ShapeKind::blending_surface:
       break;
   }
-  return BlendingSurfaceObject{};
+  return shape;
 }
 
 ChoiceIds ids_of(Topology) {

@@ -16,7 +16,11 @@ using Json = nlohmann::ordered_json;
 
 /// More than any document has; they keep junk from costing time and memory.
 constexpr std::size_t max_depth = 16, max_members = 64, max_values = 1u << 19;
-constexpr std::size_t max_elements = static_cast<std::size_t>(std::max(limits::patches.max, limits::data_points.max));
+
+/// The most elements of a list, by the member it stands in; data to be fitted are the one list longer than the patches.
+std::size_t max_elements(std::string_view member) {
+  return static_cast<std::size_t>(member == "points" ? limits::data_points.max : limits::patches.max);
+}
 
 std::string joined(const std::string& path, std::string_view name) {
   if (name.empty()) return path;
@@ -97,7 +101,9 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     if (levels_.empty()) return &(root_ = std::move(value));
     Level& level = levels_.back();
     if (level.node->is_object()) return &((*level.node)[level.key] = std::move(value));
-    if (level.node->size() >= max_elements) return fail("Is in a longer list than any in a document."), nullptr;
+    const std::string_view member = levels_.size() < 2 ? std::string_view{} : levels_[levels_.size() - 2].key;
+    if (level.node->size() >= max_elements(member))
+      return fail("Is in a longer list than any in a document."), nullptr;
     level.node->push_back(std::move(value));
     return &level.node->back();
   }

@@ -37,7 +37,8 @@ std::size_t bytes(const Document& document) {
     if (const auto* edits = local_edits(object.shape))
       sum += edits->size() * (sizeof(std::pair<PatchIndex, PatchEdit>) + 4 * sizeof(void*));
     else if (const auto* spline = std::get_if<BSplineSurfaceObject>(&object.shape))
-      sum += spline->net.size() * (sizeof spline->net.front() + spline->net.front().size() * sizeof(Eigen::Vector3d));
+      sum += spline->net.size() *
+             (sizeof(std::vector<Eigen::Vector3d>) + spline->net.front().size() * sizeof(Eigen::Vector3d));
     else
       sum += curve_points(object.shape).size() * 2 * sizeof(Eigen::Vector3d);  // knots are fewer than points by far
   }

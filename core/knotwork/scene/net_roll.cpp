@@ -30,6 +30,7 @@ std::vector<double> places(const KnotVector& knots) {
   const double first = greville(knots, 0);
   const double length = knots.closed() ? knots.period() : greville(knots, n - 1) - first;
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) result.push_back((greville(knots, i) - first) / length);
   return result;
 }

@@ -28,10 +28,11 @@ template <class R, class... As>
 class RowFunction<R(As...)> {
  public:
   RowFunction() = default;
-  // Implicit on purpose: a row's functions are written as lambdas.
+  // Implicit on purpose: a row's functions are written as lambdas. Inline, as it would bear the name of the lambda's row
+  // and so belong to the module's second part (see later.h).
   template <class F>
-  requires std::is_convertible_v<F, R (*)(As...)> RowFunction(F own)
-      : own_(own) {}  // NOLINT(google-explicit-constructor)
+  requires std::is_convertible_v<F, R (*)(As...)>
+  [[gnu::always_inline]] RowFunction(F own) : own_(own) {}  // NOLINT(google-explicit-constructor)
   RowFunction(R (*shared)(std::size_t, As...), std::size_t index) : shared_(shared), index_(index) {}
 
   explicit operator bool() const { return own_ != nullptr || shared_ != nullptr; }

@@ -142,7 +142,7 @@ SurfaceJet polynomial_jet(std::span<const Eigen::Vector3d> c, int degree_u, int 
 BlendingSurface::BlendingSurface(ModelSurface model, KnotVector knots_u, KnotVector knots_v, BlendingFunction blending,
                                  std::vector<Eigen::Affine3d> locals, LocalSurfaces shape, std::optional<Twist> twist_u,
                                  std::optional<Twist> twist_v)
-    : model_(std::move(model)),
+    : model_(model),
       knots_u_(std::move(knots_u)),
       knots_v_(std::move(knots_v)),
       blending_(std::move(blending)),
@@ -216,8 +216,8 @@ Result<BlendingSurface> BlendingSurface::make(ModelSurface model, KnotVector kno
   }
   const std::size_t expected = static_cast<std::size_t>(knots_u.count()) * static_cast<std::size_t>(knots_v.count());
   if (const Status ok = check_local_maps(locals, expected, "surface"); !ok) return ok.error();
-  return BlendingSurface(std::move(model), std::move(knots_u), std::move(knots_v), std::move(blending),
-                         std::move(locals), shape, twist_u, twist_v);
+  return BlendingSurface(model, std::move(knots_u), std::move(knots_v), std::move(blending), std::move(locals), shape,
+                         twist_u, twist_v);
 }
 
 std::vector<Eigen::Affine3d> BlendingSurface::unmoved_locals(const ModelSurface& model, const KnotVector& knots_u,
