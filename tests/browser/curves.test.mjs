@@ -128,8 +128,20 @@ pageTest("the Bezier curve's parameter is dragged along the curve, with its cons
 
 pageTest('phrases bring curves and the surface; a phrase about the surface brings it back first', { full: true }, async (page) => {
   const surface = (await documentOf(page)).objects[0];
-  await page.getByRole('button', { name: 'a B-spline curve', exact: true }).click();
-  assert.equal((await curveOf(page)).kind, 'bsplineCurve');
+  for (const [name, kind] of [
+    ['A Bézier curve', 'bezierCurve'],
+    ['20 points of a circle', 'fittedCurve'],
+    ['A polygon whose corners are cut', 'subdivisionCurve'],
+    ['A blending curve', 'blendingCurve'],
+    ['a model curve', 'modelCurve'],
+    ['A B-spline surface', 'bsplineSurface'],
+    ['The surfaces of the catalogue', 'modelSurface'],
+    ['the blending surface', 'blendingSurface'],
+    ['A B-spline curve', 'bsplineCurve'],
+  ]) {
+    await page.getByRole('button', { name, exact: true }).click();
+    assert.equal((await curveOf(page)).kind, kind);
+  }
   // At the foot of the page are the curve's own settings now.
   await page.locator('[data-settings] summary', { hasText: 'Curve' }).click();
   await page.getByRole('slider', { name: 'degree' }).focus();

@@ -102,8 +102,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     Level& level = levels_.back();
     if (level.node->is_object()) return &((*level.node)[level.key] = std::move(value));
     const std::string_view member = levels_.size() < 2 ? std::string_view{} : levels_[levels_.size() - 2].key;
-    if (level.node->size() >= max_elements(member))
-      return fail("Is in a longer list than any in a document."), nullptr;
+    if (level.node->size() >= max_elements(member)) return fail("Is in a longer list than any in a document."), nullptr;
     level.node->push_back(std::move(value));
     return &level.node->back();
   }
