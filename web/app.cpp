@@ -118,17 +118,17 @@ void App::changed() {
   if (interaction_.hovered && !has_handle(shape, *interaction_.hovered)) interaction_.hovered.reset();
   interaction_.insertion.reset();
   if (shape.index() != geometry_.made_from.index()) interaction_.probe.reset();
-  const auto* model = std::get_if<scene::ModelSurfaceObject>(&shape);
-  const auto* last = std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from);
-  // Surfaces of the catalogue differ in size: another one is brought into view.
-  if (model && last && !(model->model == last->model)) recompose_ = recompose_ || camera_is_ours_;
   const auto* net = std::get_if<scene::BSplineSurfaceObject>(&shape);
   const auto* drawn = std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from);
   if (net && drawn) {
     if (net->u.topology != drawn->u.topology) roll_.other_u = drawn->u;
     if (net->v.topology != drawn->v.topology) roll_.other_v = drawn->v;
   }
-  if (!shows_surface()) return;
+  if (!shows_surface()) {
+    // What is in the catalogues differs in size: another one is brought into view.
+    if (is_other_model(shape, geometry_.made_from)) recompose_ = recompose_ || camera_is_ours_;
+    return;
+  }
 
   const scene::BlendingSurfaceObject& object = scene::blending_surface(document_);
   if (scene::model_kind(object.model) != roll_.model) {
@@ -610,7 +610,11 @@ void App::place_picture() {
   recompose_ = false;
   const scene::Camera camera = document_.camera;
   const bool ours = camera_is_ours_;
-  compose_for(outline(*geometry_.figure), framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
+  // A surface that rolls gets the room that it will need.
+  const std::vector<glm::dvec3> points = roll_.active
+                                             ? outline(make_figure(scene::stage_shape(document_), document_.animation))
+                                             : outline(*geometry_.figure);
+  compose_for(points, framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
   framed_once_ = true;
   compose_at_once_ = false;
   if (ours) return;

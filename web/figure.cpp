@@ -142,9 +142,13 @@ std::vector<glm::dvec3> every(std::span<const scene::CurveSample> samples, std::
 
 std::vector<glm::dvec3> outline_of(const scene::ModelCurveFigure& figure) { return every(figure.samples, 8); }
 
-/// The curve and its handles.
+/// The curve, its handles, and its locals where they weigh enough to be seen.
 std::vector<glm::dvec3> outline_of(const scene::BlendingCurveFigure& figure) {
+  constexpr double seen = 0.1;
   std::vector<glm::dvec3> points = every(figure.samples, 8);
+  for (const scene::BlendingCurveFigure::Strand& strand : figure.strands)
+    for (std::size_t k = 0; k < strand.points.size(); k += 8)
+      if (strand.weights[k] > seen) points.push_back(to_glm(strand.points[k]));
   for (const scene::LocalFrame& local : figure.locals) points.push_back(to_glm(scene::local_origin(local)));
   return points;
 }
@@ -238,6 +242,17 @@ void update_figure(std::optional<Figure>& figure, const scene::Shape& shape, con
 bool moves(const scene::Shape& shape) {
   return std::holds_alternative<scene::BlendingSurfaceObject>(shape) ||
          std::holds_alternative<scene::BlendingCurveObject>(shape);
+}
+
+bool is_other_model(const scene::Shape& shape, const scene::Shape& last) {
+  const auto* surface = std::get_if<scene::ModelSurfaceObject>(&shape);
+  const auto* curve = std::get_if<scene::ModelCurveObject>(&shape);
+  const auto* blending = std::get_if<scene::BlendingCurveObject>(&shape);
+  if (shape.index() != last.index()) return false;
+  if (surface)
+    return scene::model_kind(surface->model) != scene::model_kind(std::get<scene::ModelSurfaceObject>(last).model);
+  if (curve) return curve->model.row != std::get<scene::ModelCurveObject>(last).model.row;
+  return blending && blending->model.row != std::get<scene::BlendingCurveObject>(last).model.row;
 }
 
 HandleGrid handle_grid(const scene::Shape& shape) {

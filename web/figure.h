@@ -60,6 +60,8 @@ scene::Roll roll_at_rest(const scene::Shape& shape);
 
 /// Whether the figure changes with the clock.
 bool moves(const scene::Shape& shape);
+/// Whether both are of one kind, but made from different models.
+KNOTWORK_LATER bool is_other_model(const scene::Shape& shape, const scene::Shape& last);
 
 /// Which handle of what is on the stage: (i, j) of a local patch, (i, 0) of a curve's point or local curve, or the curve's
 /// parameter.

@@ -31,10 +31,12 @@ void add_control_points(Picture& picture, const scene::FitFigure& figure) {
   }
 }
 
-/// Data without handles.
+/// Data without handles; of very many the curve must still be seen between them.
 void add_dots(Picture& picture, const scene::FitFigure& figure) {
-  const float radius = figure.points.size() > 2000 ? 1.3F : figure.points.size() > 300 ? 1.9F : 2.6F;
-  const glm::vec4 ink = filled(picture.theme.ink);
+  const bool many = figure.points.size() > 300;
+  const float radius = figure.points.size() > 2000 ? 1.0F : many ? 1.3F : 2.6F;
+  glm::vec4 ink = filled(picture.theme.ink);
+  if (many) ink.a = 0.6F;
   for (const Eigen::Vector3d& point : figure.points)
     picture.discs.push_back({glm::vec3(to_glm(point)), radius, ink, to_glm(picture.theme.ink), 0});
 }

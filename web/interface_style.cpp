@@ -11,8 +11,8 @@ namespace knotwork::web {
 namespace {
 
 // First and last code points in pairs: ASCII with Latin-1, general punctuation (dashes, quotes, primes), the minus
-// sign. Subscript figures are drawn as small lowered ones, since few subset fonts hold them.
-constexpr std::array<ImWchar, 7> glyph_ranges{0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0};
+// sign, not greater and not less. Subscript figures are drawn as small lowered ones, since few subset fonts hold them.
+constexpr std::array<ImWchar, 9> glyph_ranges{0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
 ImFont* add_face(const std::vector<std::uint8_t>& bytes, float height, float pixel_ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;

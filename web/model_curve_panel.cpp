@@ -17,7 +17,7 @@ float strip_height(const Frame& frame, const scene::ModelCurveFigure&) {
 }
 
 void draw_strip(Frame& frame, const Rect& rect, const scene::ModelCurveFigure& figure) {
-  constexpr float legend = 22, ends = 20, labels = 34;
+  constexpr float legend = 22, ends = 20, labels = 48;
   Interface& ui = frame.ui;
   std::vector<double> all = figure.curvatures;
   if (!figure.flat) all.insert(all.end(), figure.torsions.begin(), figure.torsions.end());
@@ -26,7 +26,9 @@ void draw_strip(Frame& frame, const Rect& rect, const scene::ModelCurveFigure& f
                   figure.start,
                   figure.end,
                   range.low,
-                  range.high};
+                  range.high,
+                  range.low_cut,
+                  range.high_cut};
   const PlotPress press = plot_press(ui, plot, "curvature");
   const Colour &bend = bend_hue(ui.theme), &twist = twist_hue(ui.theme);
   std::vector<double> t;

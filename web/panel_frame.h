@@ -28,9 +28,10 @@ struct Frame {
   float foot() const;
 };
 
-/// Where the next row goes.
+/// Where the next row goes, and how much of it is for the row's label.
 struct Column {
   float x, width, y;
+  float labels = 0;
 };
 
 /// printf's format for one number; without the sign of what rounds to zero, with the typographic minus.

@@ -131,7 +131,7 @@ SliderScale scale_of(Frame& frame, const Parameter& parameter, double value) {
 
 void number_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
   const float height = slider_height(frame), values = frame.ui.touch ? 44.0F : 38.0F;
-  const float labels = std::max(label_width(frame), std::ceil(text_width(frame.ui, Face::regular, label)) + 10);
+  const float labels = column.labels;
   const Rect row{column.x, column.y, column.width, height};
   const std::string reason = why_disabled(frame, parameter);
   const bool enabled = reason.empty();
@@ -270,8 +270,8 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
       needed = std::max(needed, text_width(frame.ui, Face::regular, segment.label) + combo_margin);
   }
   // Words too wide to stand beside their label take the whole row; the words of choices speak for themselves.
-  const bool alone = label.empty() || needed > column.width - label_width(frame);
-  const float labels = alone ? 0 : label_width(frame);
+  const bool alone = label.empty() || needed > column.width - column.labels;
+  const float labels = alone ? 0 : column.labels;
   if (!alone)
     text(frame.ui, Face::regular, {column.x, column.y + height / 2}, colour(frame.input.theme.ink_soft), label);
 
@@ -350,18 +350,31 @@ bool is_own_measure(const Frame& frame, const Parameter& parameter) {
          scene::applies(frame.input.document, parameter);
 }
 
+/// The rows below each other, their labels in a column of their own.
+void parameter_rows(Frame& frame, Column& column, std::span<const Parameter* const> rows) {
+  column.labels = label_width(frame);
+  for (const Parameter* row : rows)
+    if (row->kind == ParameterKind::number || row->kind == ParameterKind::integer)
+      column.labels = std::max(column.labels, std::ceil(text_width(frame.ui, Face::regular, row->label)) + 10);
+  for (const Parameter* row : rows) {
+    if (row->id == "blending.function") column.y += 4;
+    parameter_row(frame, column, *row, row->label);
+  }
+}
+
 void first_part(Frame& frame, Column& column) {
+  std::vector<const Parameter*> rows;
   for (const std::string_view id : first_rows) {
     const Parameter* parameter = scene::find_parameter(id);
     if (!parameter || !scene::applies(frame.input.document, *parameter)) continue;
     // A row that most blending functions have no use for takes up no room.
     const bool seldom = id == "blending.parameter" || id == "locals.degree";
     if (seldom && !why_disabled(frame, *parameter).empty()) continue;
-    if (id == "blending.function") column.y += 4;
-    parameter_row(frame, column, *parameter, parameter->label);
+    rows.push_back(parameter);
   }
   for (const Parameter& parameter : scene::parameters())
-    if (is_own_measure(frame, parameter)) parameter_row(frame, column, parameter, parameter.label);
+    if (is_own_measure(frame, parameter)) rows.push_back(&parameter);
+  parameter_rows(frame, column, rows);
   column.y += 2;
   draw_rows(frame, column);
 }
@@ -392,7 +405,7 @@ void other_parts(Frame& frame, Column& column) {
     column.y += group == groups.front() ? 0 : 8;
     if (headed) heading(frame, column, group);
     if (!toggles.empty()) chip_rows(frame, column, toggles);
-    for (const Parameter* row : rows) parameter_row(frame, column, *row, row->label);
+    parameter_rows(frame, column, rows);
   }
 }
 

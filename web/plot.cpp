@@ -31,13 +31,16 @@ PlotRange plot_range(std::span<const double> values) {
     above.push_back(std::max(value, 0.0));
     below.push_back(std::max(-value, 0.0));
   }
-  const auto reach = [](std::vector<double>& side) {
+  PlotRange range{0, 0};
+  const auto reach = [](std::vector<double>& side, bool& cut) {
     if (side.empty()) return 0.0;
     const double most = *std::max_element(side.begin(), side.end());
     const double usual = quantile(side, usual_share);
-    return usual > 0 ? std::min(most, peak * usual) : most;
+    cut = usual > 0 && most > headroom * peak * usual;
+    return headroom * (cut ? peak * usual : most);
   };
-  PlotRange range{-headroom * reach(below), headroom * reach(above)};
+  range.low = -reach(below, range.low_cut);
+  range.high = reach(above, range.high_cut);
   if (!(range.high - range.low > 1e-12)) range = {0, 1};
   return range;
 }
@@ -115,13 +118,13 @@ void plot_ground(Interface& ui, const Plot& plot) {
 void plot_axis(Interface& ui, const Plot& plot) {
   plot_ground(ui, plot);
   const ImU32 ink = colour(ui.theme.ink_soft);
-  const auto mark = [&](double value) {
+  const auto mark = [&](double value, std::string_view sign = {}) {
     const float y = plot.y_of(value);
     ImGui::GetWindowDrawList()->AddLine({plot.area.x - 5, y}, {plot.area.x, y}, ink, 1.2F);
-    text(ui, Face::small, {plot.area.x - 8, y}, ink, plot_number(value), Align::right);
+    text(ui, Face::small, {plot.area.x - 8, y}, ink, std::string(sign) + plot_number(value), Align::right);
   };
-  if (plot.high > 0) mark(plot.high);
-  if (plot.low < 0) mark(plot.low);
+  if (plot.high > 0) mark(plot.high, plot.high_cut ? "≥ " : "");
+  if (plot.low < 0) mark(plot.low, plot.low_cut ? "≤ " : "");
   const bool room = plot.y_of(0) - plot.area.y > 12 && (plot.low >= 0 || plot.y_of(plot.low) - plot.y_of(0) > 12);
   if (room) mark(0);
 }

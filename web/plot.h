@@ -13,8 +13,9 @@ namespace knotwork::web {
 /// with the current window's draw list; nothing is kept between frames.
 struct Plot {
   Rect area;
-  double start = 0, end = 1;  ///< parameters, start < end
-  double low = 0, high = 1;   ///< values, low < high
+  double start = 0, end = 1;               ///< parameters, start < end
+  double low = 0, high = 1;                ///< values, low < high
+  bool low_cut = false, high_cut = false;  ///< values beyond are drawn at the edge, and the axis says so
 
   float x_of(double t) const { return area.x + area.width * static_cast<float>((t - start) / (end - start)); }
   float y_of(double value) const { return area.y + area.height * static_cast<float>((high - value) / (high - low)); }
@@ -26,6 +27,7 @@ struct Plot {
 /// Values that are not finite count for nothing.
 struct PlotRange {
   double low = 0, high = 1;
+  bool low_cut = false, high_cut = false;
 };
 PlotRange plot_range(std::span<const double> values);
 
