@@ -8,7 +8,7 @@
 namespace knotwork::web {
 namespace {
 
-constexpr float plot_head = 24, plot_foot = 22, left_gutter = 38;
+constexpr float plot_head = 24, plot_foot = 22, left_gutter = 46;
 constexpr float decade_room = 24;  // between names of decades, at least
 constexpr float name_room = 26;    // between numbers under the axis, at least
 constexpr float title_gap = 14;

@@ -56,7 +56,7 @@ constexpr float combo_margin = 40;  ///< beside the words of a closed list
 // Measures that a finger needs larger.
 float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
 float slider_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 26.0F; }
-float label_width(const Frame& frame) { return frame.stage.width < wide_stage && !frame.ui.touch ? 76.0F : 84.0F; }
+float label_width(const Frame& frame) { return frame.stage.width < wide_stage && !frame.ui.touch ? 82.0F : 84.0F; }
 
 Rect card_frame(const Frame& frame) {
   const Rect& stage = frame.stage;

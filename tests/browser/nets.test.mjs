@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
-  call, clickWidget, distance, documentOf, drag, frameDrawn, handleAt, handlesOf, picture, plus, settled, statsOf, widget,
+  call, clickWidget, distance, documentOf, drag, frameDrawn, handleAt, handlesOf, picture, plus, settled, stageRect, statsOf, widget,
 } from './stage.mjs';
 
 async function opened(page, chapter) {
@@ -52,6 +52,18 @@ pageTest('a point of the net is dragged under the pointer and moves the surface 
   });
   await page.keyboard.press('Control+z');
   assert.deepEqual(await objectOf(page), start);
+});
+
+pageTest('a net that is closed before it has come to rest stands whole above its plots', { full: true, size: [1440, 900] }, async (page) => {
+  await call(page, 'open', 'tensor-surface');
+  await call(page, 'set', 'topology.u', 'closed');
+  await call(page, 'set', 'topology.v', 'closed');
+  await settled(page);
+  const stage = await stageRect(page);
+  const plots = await widget(page, 'u knot 3');
+  for (const { id, screen: [x, y] } of await handlesOf(page)) {
+    assert.ok(x > stage.x + 5 && x < stage.x + stage.width - 5 && y > stage.y + 5 && y < plots.y, `${id} is at ${x}, ${y}`);
+  }
 });
 
 pageTest('with Shift a point goes along the normal of its surface, arrows nudge it', { full: true }, async (page) => {
