@@ -11,7 +11,7 @@ const wasmBudget = 200 * 1024;
 const json = async (file) => JSON.parse(await readFile(join(dist, file), 'utf8'));
 const [manifest, sizes] = await Promise.all([json('manifest.json'), json('sizes.json')]);
 
-const loaded = new Set(['index.html', 'favicon.svg', 'manifest.webmanifest']);
+const loaded = new Set(['index.html', 'arriving.js', 'favicon.svg', 'manifest.webmanifest']);
 function follow(key) {
   const chunk = manifest[key];
   if (!chunk || loaded.has(chunk.file)) return;

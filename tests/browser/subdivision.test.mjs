@@ -61,7 +61,11 @@ pageTest('steps are walked by buttons and by the clock, levels chosen in the plo
   await call(page, 'set', 'subdivision.step', 0);
   await call(page, 'set', 'animation.speed', 4);
   await clickWidget(page, 'walk');
-  await until(page, () => !window.knotwork.document().animation.playing);
+  // At rest before the press is taken as well as after the last step.
+  await until(page, () => {
+    const { animation, objects } = window.knotwork.document();
+    return !animation.playing && objects[0].step > 0;
+  });
   assert.deepEqual([(await polygonOf(page)).step, (await polygonOf(page)).fraction], [4, 0]);
 
   const plot = await widget(page, 'levels');
