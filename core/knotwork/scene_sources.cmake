@@ -16,9 +16,9 @@ set(KNOTWORK_SCENE_SOURCES
   knotwork/scene/history.cpp
   knotwork/scene/knot_edits.cpp
   knotwork/scene/local_frame.cpp
+  knotwork/scene/measure_parameters.cpp
   knotwork/scene/messages.cpp
   knotwork/scene/model_curve_figure.cpp
-  knotwork/scene/model_parameters.cpp
   knotwork/scene/models.cpp
   knotwork/scene/model_figure.cpp
   knotwork/scene/motion.cpp
@@ -51,6 +51,7 @@ set(KNOTWORK_SCENE_HEADERS
   knotwork/scene/later.h
   knotwork/scene/limits.h
   knotwork/scene/local_frame.h
+  knotwork/scene/measure_parameters.h
   knotwork/scene/model_curve_figure.h
   knotwork/scene/models.h
   knotwork/scene/model_figure.h
@@ -72,5 +73,4 @@ set(KNOTWORK_SCENE_PRIVATE_HEADERS
   knotwork/scene/catalogue_parameters.h
   knotwork/scene/document_members.h
   knotwork/scene/messages.h
-  knotwork/scene/model_parameters.h
 )

@@ -52,8 +52,8 @@ constexpr CatalogueMeasure line_measures[] = {
     coordinate_measure("directionY", "Direction y", 1), coordinate_measure("directionZ", "Direction z", 0)};
 constexpr CatalogueMeasure arc_measures[] = {length_measure("speed", "Speed", 1),
                                              length_measure("curvature", "Curvature", 1)};
-constexpr CatalogueMeasure rose_measures[] = {count_measure("numerator", "Frequency, numerator", 7),
-                                              count_measure("denominator", "Frequency, denominator", 4),
+constexpr CatalogueMeasure rose_measures[] = {count_measure("numerator", "Numerator", 7),
+                                              count_measure("denominator", "Denominator", 4),
                                               length_measure("radius", "Radius", 1.5)};
 constexpr CatalogueMeasure butterfly_measures[] = {length_measure("size", "Size", 0.4)};
 constexpr CatalogueMeasure chrysanthemum_measures[] = {length_measure("size", "Size", 0.15)};
@@ -64,17 +64,16 @@ constexpr CatalogueMeasure helix_measures[] = {length_measure("radius", "Radius"
 constexpr CatalogueMeasure heart_measures[] = {length_measure("size", "Size", 0.08)};
 constexpr CatalogueMeasure astroid_measures[] = {length_measure("radius", "Radius", 1.5)};
 constexpr CatalogueMeasure nephroid_measures[] = {length_measure("radius", "Radius of the rolling circle", 0.4)};
-constexpr CatalogueMeasure epitrochoid_measures[] = {count_measure("fixedTeeth", "Teeth of the fixed wheel", 3),
-                                                     count_measure("rollingTeeth", "Teeth of the rolling wheel", 1),
-                                                     length_measure("penDistance", "Distance of the pen", 2),
-                                                     length_measure("size", "Size of a tooth", 0.25)};
+constexpr CatalogueMeasure epitrochoid_measures[] = {
+    count_measure("fixedTeeth", "Fixed teeth", 3), count_measure("rollingTeeth", "Rolling teeth", 1),
+    length_measure("penDistance", "Pen distance", 2), length_measure("size", "Size of a tooth", 0.25)};
 constexpr CatalogueMeasure lissajous_measures[] = {
     count_measure("frequencyX", "Frequency in x", 3), count_measure("frequencyY", "Frequency in y", 2),
     count_measure("frequencyZ", "Frequency in z", 5), angle_measure("phaseX", "Phase in x", 0.5),
     angle_measure("phaseZ", "Phase in z", 1),         length_measure("size", "Size", 1)};
 constexpr CatalogueMeasure trefoil_measures[] = {length_measure("size", "Size", 0.5)};
 constexpr CatalogueMeasure torus_knot_measures[] = {
-    count_measure("turnsAround", "Turns about the axis", 2), count_measure("turnsThrough", "Turns about the tube", 3),
+    count_measure("turnsAround", "Turns around", 2), count_measure("turnsThrough", "Turns through", 3),
     length_measure("wheelRadius", "Wheel radius", 1), length_measure("tubeRadius", "Tube radius", 0.4)};
 constexpr CatalogueMeasure viviani_measures[] = {length_measure("radius", "Radius of the cylinder", 0.8)};
 constexpr CatalogueMeasure clelia_measures[] = {length_measure("radius", "Radius of the sphere", 1.5),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "knotwork/scene/blending_curve_edits.h"
@@ -13,155 +12,11 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::string_view curve_prefix = "curve.";
-constexpr double soft_factor = 4, soft_count = 12, soft_coordinate = 3;  // of sliders
-
-/// A measure as a row: ids and labels are kept here, for rows only refer to them.
-struct MeasureName {
-  std::string id, label;  ///< "curve.tubeRadius", "tube radius"
-};
-
-std::string in_words(std::string_view id) {
-  std::string words;
-  for (const char c : id) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    if (upper) words += ' ';
-    words += upper ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return words;
-}
-
-const std::vector<MeasureName>& measure_names() {
-  static const std::vector<MeasureName> names = [] {
-    std::vector<MeasureName> found;
-    for (const CatalogueCurveRow& row : curve_catalogue()) {
-      for (const CatalogueMeasure& measure : row.measures) {
-        const std::string id = std::string(curve_prefix) + std::string(measure.id);
-        const bool known =
-            std::any_of(found.begin(), found.end(), [&](const MeasureName& name) { return name.id == id; });
-        if (!known) found.push_back({id, in_words(measure.id)});
-      }
-    }
-    return found;
-  }();
-  return names;
-}
-
-/// Where the curve on the stage has the measure of this row; the number of its measures where it has not.
-std::size_t curve_measure_place(const CatalogueCurve& curve, std::string_view id) {
-  const std::span<const CatalogueMeasure> measures = curve_catalogue()[static_cast<std::size_t>(curve.row)].measures;
-  const auto found = std::find_if(measures.begin(), measures.end(), [&](const CatalogueMeasure& measure) {
-    return id.substr(curve_prefix.size()) == measure.id;
-  });
-  return static_cast<std::size_t>(found - measures.begin());
-}
-
-const CatalogueMeasure& measure_of(const CatalogueCurve& curve, std::string_view id) {
-  return curve_catalogue()[static_cast<std::size_t>(curve.row)].measures[curve_measure_place(curve, id)];
-}
-
-/// The object on the stage that has a curve of the catalogue.
-template <class D, class F>
-auto with_model_curve(D& document, F act) {
-  auto& shape = stage_shape(document);
-  if (auto* blending = std::get_if<BlendingCurveObject>(&shape)) return act(*blending);
-  return act(*std::get_if<ModelCurveObject>(&shape));
-}
-
-bool has_curve_measure(std::size_t name, const Document& document) {
-  const CatalogueCurve* curve = stage_model_curve(document);
-  if (curve == nullptr) return false;
-  return curve_measure_place(*curve, measure_names()[name].id) <
-         curve_catalogue()[static_cast<std::size_t>(curve->row)].measures.size();
-}
-
-ParameterValue measure_value(std::size_t name, const Document& document) {
-  const CatalogueCurve& curve = *stage_model_curve(document);
-  return curve.measures[curve_measure_place(curve, measure_names()[name].id)];
-}
-
 /// The error of an edit as a parameter's: apply() says which.
 Status pathless(const Status& status) { return status ? success() : Status(Error{"", status.error().message}); }
 
-KNOTWORK_LATER Status set_measure_value(std::size_t name, Document& document, const ParameterValue& value) {
-  const std::string& id = measure_names()[name].id;
-  const CatalogueCurve& curve = *stage_model_curve(document);
-  const CatalogueMeasure& measure = measure_of(curve, id);
-  const Limits range{measure.least, measure.greatest};
-  const double* x = std::get_if<double>(&value);
-  if (x == nullptr || !range.contains(*x) || (measure.integer && *x != std::floor(*x)))
-    return Error{"", measure.integer ? integer_message(range) : number_message(range)};
-  const std::size_t place = curve_measure_place(curve, id);
-  return with_model_curve(document, [&](auto& object) { return pathless(set_measure(object, place, *x)); });
-}
-
 std::string not_disabled(const Document&) { return {}; }
 bool has_model_curve(const Document& document) { return stage_model_curve(document) != nullptr; }
-
-Limits measure_range(std::size_t name, const Document& document) {
-  const CatalogueMeasure& measure = measure_of(*stage_model_curve(document), measure_names()[name].id);
-  return {measure.least, measure.greatest};
-}
-
-Limits measure_soft_range(std::size_t name, const Document& document) {
-  const CatalogueMeasure& measure = measure_of(*stage_model_curve(document), measure_names()[name].id);
-  if (measure.integer) return {measure.least, std::min(soft_count, measure.greatest)};
-  if (measure.least > 0) return {measure.standard / soft_factor, measure.standard * soft_factor};
-  return {std::max(-soft_coordinate, measure.least), std::min(soft_coordinate, measure.greatest)};
-}
-
-/// The row of measure_names()[index].
-Parameter measure_row(std::size_t index) {
-  Parameter row;
-  const MeasureName& name = measure_names()[index];
-  row.id = name.id;
-  row.label = name.label;
-  row.group = "Curve";
-  // The widest that any curve allows; which limits hold depends on the curve.
-  bool whole = true;
-  row.min = longest_length;
-  row.max = -longest_length;
-  for (const CatalogueCurveRow& curve : curve_catalogue()) {
-    for (const CatalogueMeasure& measure : curve.measures) {
-      if (name.id.substr(curve_prefix.size()) != measure.id) continue;
-      row.min = std::min(row.min, measure.least);
-      row.max = std::max(row.max, measure.greatest);
-      whole = whole && measure.integer;
-    }
-  }
-  row.kind = whole ? ParameterKind::integer : ParameterKind::number;
-  row.step = whole ? 1 : 0.01;
-  row.soft_max = row.max;
-  row.get = {measure_value, index};
-  row.set = {set_measure_value, index};
-  row.applies = {has_curve_measure, index};
-  row.range = {measure_range, index};
-  row.soft_range = {measure_soft_range, index};
-  row.disabled = not_disabled;
-  return row;
-}
-
-KNOTWORK_LATER_ROW Parameter curve_row() {
-  Parameter row;
-  row.id = "curve.model";
-  row.label = "model";
-  row.group = "Curve";
-  row.kind = ParameterKind::choice;
-  for (const CatalogueCurveRow& curve : curve_catalogue())
-    row.choices.push_back({std::string(curve.id), std::string(curve.label)});
-  row.get = [](const Document& document) -> ParameterValue {
-    return std::string(curve_catalogue()[static_cast<std::size_t>(stage_model_curve(document)->row)].id);
-  };
-  row.set = [](Document& document, const ParameterValue& value) -> Status {
-    const std::string* id = std::get_if<std::string>(&value);
-    const int index = id == nullptr ? -1 : find_choice(ids_of(CurveRow{}), *id);
-    if (index < 0) return Error{"", choice_message(ids_of(CurveRow{}))};
-    return with_model_curve(document, [&](auto& object) { return pathless(set_model(object, index)); });
-  };
-  row.applies = has_model_curve;
-  row.disabled = not_disabled;
-  return row;
-}
 
 BlendingCurveObject& blending_curve(Document& document) {
   return *std::get_if<BlendingCurveObject>(&stage_shape(document));
@@ -246,10 +101,28 @@ KNOTWORK_LATER_ROW Parameter degree_row() {
 
 }  // namespace
 
-std::vector<Parameter> catalogue_curve_rows() {
-  std::vector<Parameter> rows{curve_row()};
-  for (std::size_t index = 0; index < measure_names().size(); ++index) rows.push_back(measure_row(index));
-  return rows;
+Parameter catalogue_curve_row() {
+  Parameter row;
+  row.id = "curve.model";
+  row.label = "model";
+  row.group = "Curve";
+  row.kind = ParameterKind::choice;
+  for (const CatalogueCurveRow& curve : curve_catalogue())
+    row.choices.push_back({std::string(curve.id), std::string(curve.label)});
+  row.get = [](const Document& document) -> ParameterValue {
+    return std::string(curve_catalogue()[static_cast<std::size_t>(stage_model_curve(document)->row)].id);
+  };
+  row.set = [](Document& document, const ParameterValue& value) -> Status {
+    const std::string* id = std::get_if<std::string>(&value);
+    const int index = id == nullptr ? -1 : find_choice(ids_of(CurveRow{}), *id);
+    if (index < 0) return Error{"", choice_message(ids_of(CurveRow{}))};
+    Shape& shape = stage_shape(document);
+    if (auto* blending = std::get_if<BlendingCurveObject>(&shape)) return pathless(set_model(*blending, index));
+    return pathless(set_model(*std::get_if<ModelCurveObject>(&shape), index));
+  };
+  row.applies = has_model_curve;
+  row.disabled = not_disabled;
+  return row;
 }
 
 std::vector<Parameter> local_curve_rows() { return {count_row(), kind_row(), degree_row()}; }

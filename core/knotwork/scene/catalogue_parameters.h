@@ -7,10 +7,8 @@
 
 namespace knotwork::scene {
 
-/// The rows about a curve of the catalogue, as a figure of its own or under a blending curve: which one it is, and its
-/// measures. Made from the catalogue: `curve.` and the measure's id, a row for each id that any curve has; it applies
-/// while the chosen curve has it.
-std::vector<Parameter> catalogue_curve_rows();
+/// Which curve of the catalogue is on the stage, as a figure of its own or under a blending curve.
+KNOTWORK_LATER_ROW Parameter catalogue_curve_row();
 
 /// The rows about the local curves of a blending curve: their number, kind and degree.
 std::vector<Parameter> local_curve_rows();

@@ -9,8 +9,8 @@
 #include "knotwork/scene/document_members.h"
 #include "knotwork/scene/fit_edits.h"
 #include "knotwork/scene/knot_edits.h"
+#include "knotwork/scene/measure_parameters.h"
 #include "knotwork/scene/messages.h"
-#include "knotwork/scene/model_parameters.h"
 #include "knotwork/scene/net_edits.h"
 #include "knotwork/scene/subdivision_edits.h"
 
@@ -759,13 +759,15 @@ std::vector<Parameter> make_table() {
       moving(number<&Animation::translation, limits::share>("motion.translation", "translation", "Motion", {0.01, 1})),
       moving(number<&Animation::rotation, limits::share>("motion.rotation", "rotation", "Motion", {0.5, 1})),
   };
-  append_model_parameters(table);
-  const auto before =
-      std::find_if(table.begin(), table.end(), [](const Parameter& row) { return row.id == "curve.parameter"; });
-  std::vector<Parameter> rows = catalogue_curve_rows();
-  const std::vector<Parameter> locals = local_curve_rows();
-  rows.insert(rows.end(), locals.begin(), locals.end());
-  table.insert(before, rows.begin(), rows.end());
+  const auto insert = [&table](std::vector<Parameter>::const_iterator at, const std::vector<Parameter>& rows) {
+    table.insert(at, rows.begin(), rows.end());
+  };
+  insert(table.end(), surface_measure_rows());
+  std::vector<Parameter> rows = curve_measure_rows();
+  rows.insert(rows.begin(), catalogue_curve_row());
+  for (const Parameter& row : local_curve_rows()) rows.push_back(row);
+  insert(std::find_if(table.begin(), table.end(), [](const Parameter& row) { return row.id == "curve.parameter"; }),
+         rows);
   return table;
 }
 
