@@ -32,7 +32,7 @@ const paste = (page, text) =>
     document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
   }, text);
 
-pageTest("the report's circle is fitted openly, and ten times closer when it is closed", wide, async (page) => {
+pageTest("the report's circle is fitted openly, and far closer when it is closed", wide, async (page) => {
   const open = await opened(page);
   assert.deepEqual([open.kind, open.points.length, open.count, open.degree], ['fittedCurve', 20, 8, 3]);
   const report = radialError(await curveAt(page, 5));
