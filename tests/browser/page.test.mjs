@@ -303,8 +303,9 @@ pageTest('the download shows its progress', {
   before: async (page) => {
     await page.route(moduleFile, async (route) => {
       await page.evaluate(() => new Promise((seen) => {
-        const bar = document.querySelector('progress');
-        const look = () => (bar.checkVisibility() ? seen() : requestAnimationFrame(look));
+        // The module is asked for while the page is still being read.
+        const look = () =>
+          document.querySelector('progress')?.checkVisibility() ? seen() : requestAnimationFrame(look);
         look();
       }));
       await route.continue();
