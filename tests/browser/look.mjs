@@ -90,6 +90,8 @@ const states = {
       [round(k) * Math.cos(k / 150), round(k) * Math.sin(k / 150), 0]);
     document.objects[0].count = 20;
     await call(page, 'load', document);
+    await page.locator('canvas').focus();
+    await page.keyboard.press('0');
   },
   subdivision: async (page) => call(page, 'open', 'subdivision'),
   'subdivision-split': async (page) => {

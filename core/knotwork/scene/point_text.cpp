@@ -48,7 +48,10 @@ std::string quoted(std::string_view word) {
 
 class PointReader {
  public:
-  explicit PointReader(std::string_view text) : text_(text) {}
+  explicit PointReader(std::string_view text) : text_(text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  }
 
   Result<std::vector<Eigen::Vector3d>> read() {
     skip_heads();
