@@ -36,8 +36,7 @@ TEST_CASE("point text: tables, spaces, semicolons and JSON say the same") {
            "\n\n  1\t2\n\n\t-3.5\t.04\t5  \n",
            "1;2\n-3.5;0.04;5.",
            "x,y,z\n1,2\n-3.5,0.04,5",
-           "\xEF\xBB\xBF"
-           "1,2\n-3.5,0.04,5",
+           "\357\273\2771,2\n-3.5,0.04,5",
            "\xEF\xBB\xBFx,y,z\n1,2\n-3.5,0.04,5",
            "\"x\",\"y\"\n\"1\",\"2\"\n\"-3.5\",\"0.04\",\"5\"",
            "# two points\n1 2 # the first\n-3.5 0.04 5",
