@@ -17,11 +17,9 @@ constexpr float blended_width = 4, strand_width = 2.4F, held_width = 3.4F, model
 constexpr float strand_strength = 0.72F, held_strength = 1, least_strength = 0.05F;
 constexpr double frame_length = 34;  // CSS pixels
 
-glm::vec4 covering(const Colour& c) { return {c[0], c[1], c[2], 1}; }
-
 void add_segment(Picture& picture, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Colour& ink,
                  float width) {
-  picture.ribbons.push_back({glm::vec3(to_glm(from)), glm::vec3(to_glm(to)), covering(ink), width});
+  picture.ribbons.push_back({glm::vec3(to_glm(from)), glm::vec3(to_glm(to)), to_glm(ink, 1), width});
 }
 
 int count_of(const scene::BlendingCurveFigure& figure) { return figure.curve.knots().count(); }
@@ -86,7 +84,7 @@ void add_blend(Picture& picture, const scene::BlendingCurveFigure& figure) {
 void add_marks(Picture& picture, const scene::BlendingCurveFigure& figure) {
   const KnotVector& knots = figure.curve.knots();
   for (int i = knots.closed() ? 1 : 2; i <= (knots.closed() ? knots.count() : knots.count() - 1); ++i)
-    picture.discs.push_back({glm::vec3(to_glm(figure.curve(knots[i]))), 3.2F, covering(picture.theme.stage),
+    picture.discs.push_back({glm::vec3(to_glm(figure.curve(knots[i]))), 3.2F, to_glm(picture.theme.stage, 1),
                              to_glm(picture.theme.accent), 1.4F});
 }
 
@@ -97,7 +95,7 @@ void add_chord(Picture& picture, const scene::BlendingCurveFigure& figure) {
   for (std::size_t k = 0; k < 2; ++k) {
     const Colour hue = local_hue(figure.weights[k].local, count_of(figure), picture.theme.dark);
     picture.discs.push_back(
-        {glm::vec3(to_glm(figure.local_points[k])), 4.2F, covering(hue), to_glm(picture.theme.stage), 1.2F});
+        {glm::vec3(to_glm(figure.local_points[k])), 4.2F, to_glm(hue, 1), to_glm(picture.theme.stage), 1.2F});
   }
 }
 

@@ -18,8 +18,6 @@ constexpr std::size_t most_labels = 24;
 constexpr double label_distance = 19;  // CSS pixels from the point
 constexpr int label_sides = 16;        // tried
 
-glm::vec4 opaque(const Colour& c, float alpha = 1) { return {c[0], c[1], c[2], alpha}; }
-
 /// The points' hues mixed as the points are.
 Colour mixture(const scene::CurveFigure& figure, std::size_t k, const std::vector<glm::vec3>& hues) {
   const std::size_t width = static_cast<std::size_t>(figure.curve.degree()) + 1;
@@ -40,7 +38,7 @@ void add_line(std::vector<Ribbon>& ribbons, const Eigen::Vector3d& from, const E
 /// Even and without seams, hence of one opaque colour.
 void add_band(Picture& picture, const scene::CurveFigure& figure, int point) {
   const Colour hue = point_hue(point, picture.theme.dark);
-  const glm::vec4 light = opaque(mixed(picture.theme.stage, hue, picture.theme.dark ? 0.34F : 0.3F));
+  const glm::vec4 light = to_glm(mixed(picture.theme.stage, hue, picture.theme.dark ? 0.34F : 0.3F), 1);
   for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k)
     if (figure.weight(k, point) > 0 || figure.weight(k + 1, point) > 0)
       add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point, light, band_width);
@@ -54,9 +52,9 @@ void add_construction(Picture& picture, const scene::CurveFigure& figure) {
     const Colour ink = mixed(picture.theme.stage, picture.theme.accent, strength);
     const std::vector<Eigen::Vector3d>& points = figure.construction[row];
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      add_line(picture.ribbons, points[k], points[k + 1], opaque(ink), 1.5F);
+      add_line(picture.ribbons, points[k], points[k + 1], to_glm(ink, 1), 1.5F);
     for (const Eigen::Vector3d& point : points)
-      picture.discs.push_back({glm::vec3(to_glm(point)), 3.4F, opaque(ink), to_glm(ink), 1});
+      picture.discs.push_back({glm::vec3(to_glm(point)), 3.4F, to_glm(ink, 1), to_glm(ink), 1});
   }
 }
 
@@ -70,7 +68,7 @@ Colour point_hue(int i, bool dark) {
 
 void add_polygon(Picture& picture, std::span<const Eigen::Vector3d> points, bool closed) {
   const std::size_t legs = points.size() - (closed ? 0 : 1);
-  const glm::vec4 ink = opaque(mixed(picture.theme.stage, picture.theme.ink_soft, 0.55F));
+  const glm::vec4 ink = to_glm(mixed(picture.theme.stage, picture.theme.ink_soft, 0.55F), 1);
   for (std::size_t k = 0; k < legs; ++k)
     add_line(picture.ribbons, points[k], points[(k + 1) % points.size()], ink, leg_width);
 }
@@ -82,7 +80,7 @@ void add_hued_curve(Picture& picture, const scene::CurveFigure& figure, float wi
   for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
     const Colour ink = picture.display.patch_colours ? mixture(figure, k, hues) : picture.theme.ink;
     add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point,
-             opaque(mixed(picture.theme.stage, ink, strength)), width);
+             to_glm(mixed(picture.theme.stage, ink, strength), 1), width);
   }
 }
 
@@ -91,7 +89,7 @@ void add_knots(Picture& picture, const scene::CurveFigure& figure) {
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
     if (!mark.inner) continue;
     const Colour& face = mark.last > mark.first ? picture.theme.accent : picture.theme.stage;
-    picture.discs.push_back({glm::vec3(to_glm(mark.point)), 4.6F, opaque(face), to_glm(picture.theme.accent), 1.7F});
+    picture.discs.push_back({glm::vec3(to_glm(mark.point)), 4.6F, to_glm(face, 1), to_glm(picture.theme.accent), 1.7F});
   }
 }
 
@@ -118,7 +116,7 @@ void add_curve(Picture& picture, const scene::CurveFigure& figure, const Interac
   if (display.knot_lines) add_knots(picture, figure);
   if (display.construction) add_construction(picture, figure);
   if (state.insertion)
-    picture.overlay_discs.push_back({glm::vec3(state.insertion->position), 6, opaque(picture.theme.stage, 0.9F),
+    picture.overlay_discs.push_back({glm::vec3(state.insertion->position), 6, to_glm(picture.theme.stage, 0.9F),
                                      to_glm(picture.theme.ink_soft), 1.6F});
 }
 
@@ -137,15 +135,15 @@ void add_points(Picture& picture, std::span<const Handle> handles, const Interac
     if (handle.index == parameter_handle) {
       const Colour ink = selected ? theme.accent : theme.ink;
       picture.discs.push_back(
-          {glm::vec3(handle.position), hovered || selected ? 7.5F : 6.0F, opaque(ink), to_glm(theme.stage), 1.4F});
+          {glm::vec3(handle.position), hovered || selected ? 7.5F : 6.0F, to_glm(ink, 1), to_glm(theme.stage), 1.4F});
       continue;
     }
     const Colour hue = hue_of(handle.index.first);
-    Disc disc{glm::vec3(handle.position), base, opaque(white), to_glm(hue), std::min(2.6F, 0.4F * base)};
+    Disc disc{glm::vec3(handle.position), base, to_glm(white, 1), to_glm(hue), std::min(2.6F, 0.4F * base)};
     if (hovered) disc.radius = 1.3F * base;
     if (selected) {
       disc.radius = 1.3F * base;
-      disc.fill = opaque(theme.accent);
+      disc.fill = to_glm(theme.accent, 1);
       disc.rim = to_glm(white);
       disc.rim_width = 2.4F;
     }

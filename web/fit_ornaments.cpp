@@ -12,10 +12,8 @@ namespace {
 
 constexpr float whisker_width = 2, stroke_width = 2.6F, control_radius = 3.4F;
 
-glm::vec4 filled(const Colour& colour) { return {colour[0], colour[1], colour[2], 1}; }
-
 void add_whiskers(Picture& picture, const scene::FitFigure& figure) {
-  const glm::vec4 ink = filled(mixed(picture.theme.stage, picture.theme.accent, 0.8F));
+  const glm::vec4 ink = to_glm(mixed(picture.theme.stage, picture.theme.accent, 0.8F), 1);
   for (std::size_t j = 0; j < figure.points.size(); ++j)
     picture.ribbons.push_back(
         {glm::vec3(to_glm(figure.points[j])), glm::vec3(to_glm(figure.feet[j])), ink, whisker_width});
@@ -27,7 +25,7 @@ void add_control_points(Picture& picture, const scene::FitFigure& figure) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Colour hue = point_hue(static_cast<int>(i), picture.theme.dark);
     picture.discs.push_back(
-        {glm::vec3(to_glm(points[i])), control_radius, filled(hue), to_glm(picture.theme.stage), 1});
+        {glm::vec3(to_glm(points[i])), control_radius, to_glm(hue, 1), to_glm(picture.theme.stage), 1});
   }
 }
 
@@ -35,7 +33,7 @@ void add_control_points(Picture& picture, const scene::FitFigure& figure) {
 void add_dots(Picture& picture, const scene::FitFigure& figure) {
   const bool many = figure.points.size() > 300;
   const float radius = figure.points.size() > 2000 ? 1.0F : many ? 1.3F : 2.6F;
-  glm::vec4 ink = filled(picture.theme.ink);
+  glm::vec4 ink = to_glm(picture.theme.ink, 1);
   if (many) ink.a = 0.6F;
   for (const Eigen::Vector3d& point : figure.points)
     picture.discs.push_back({glm::vec3(to_glm(point)), radius, ink, to_glm(picture.theme.ink), 0});
@@ -51,9 +49,9 @@ void add_data_handles(Picture& picture, const Look& look) {
     const bool selected = look.state.selected == handle.index, hovered = look.state.hovered == handle.index;
     const float radius = (selected || hovered ? 1.35F : 1.0F) * base;
     if (selected)
-      picture.discs.push_back({glm::vec3(handle.position), radius, filled(theme.accent), to_glm(face), 2});
+      picture.discs.push_back({glm::vec3(handle.position), radius, to_glm(theme.accent, 1), to_glm(face), 2});
     else
-      picture.discs.push_back({glm::vec3(handle.position), radius, filled(face), to_glm(theme.ink), 1.6F});
+      picture.discs.push_back({glm::vec3(handle.position), radius, to_glm(face, 1), to_glm(theme.ink), 1.6F});
   }
 }
 
@@ -74,7 +72,7 @@ void add_to_picture(Picture& picture, const scene::FitFigure& figure, const Look
 }
 
 void add_stroke(Picture& picture, const Look& look) {
-  const glm::vec4 ink = filled(picture.theme.accent);
+  const glm::vec4 ink = to_glm(picture.theme.accent, 1);
   const std::vector<Eigen::Vector3d> drawn =
       drawn_points(look.state.stroke, picture.view, to_glm(look.document.camera.target),
                    scene::curve_points(scene::stage_shape(look.document)));

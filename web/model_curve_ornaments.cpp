@@ -23,8 +23,6 @@ constexpr std::size_t dense = 3000;   // samples: a curve of so many turns would
 
 const Colour& curve_hue(const Theme& theme) { return theme.local[0]; }
 
-glm::vec4 solid(const Colour& c, float alpha = 1) { return {c[0], c[1], c[2], alpha}; }
-
 struct FrameArrow {
   const char* name;
   glm::dvec3 tip;
@@ -47,7 +45,7 @@ void add_arrow(Picture& picture, glm::dvec3 foot, const FrameArrow& arrow) {
   const glm::dvec3 side = width > 1e-6 ? across / width : picture.view.right;
   const glm::dvec3 neck = arrow.tip - barb_length * pixel * along;
   const auto line = [&](glm::dvec3 from, glm::dvec3 to) {
-    picture.ribbons.push_back({glm::vec3(from), glm::vec3(to), solid(arrow.hue), arrow_ink});
+    picture.ribbons.push_back({glm::vec3(from), glm::vec3(to), to_glm(arrow.hue, 1), arrow_ink});
   };
   line(foot, arrow.tip);
   line(arrow.tip, neck + barb_width * pixel * side);
@@ -63,8 +61,8 @@ void add_circle(Picture& picture, const scene::ModelCurveFigure& figure) {
     return glm::vec3(
         to_glm(c - r * std::cos(angle) * figure.frame.normal + r * std::sin(angle) * figure.frame.tangent));
   };
-  for (int k = 0; k < circle_steps; ++k) picture.ribbons.push_back({at(k), at(k + 1), solid(ink), circle_ink});
-  picture.discs.push_back({glm::vec3(to_glm(centre)), 2.6F, solid(ink), to_glm(ink), 1});
+  for (int k = 0; k < circle_steps; ++k) picture.ribbons.push_back({at(k), at(k + 1), to_glm(ink, 1), circle_ink});
+  picture.discs.push_back({glm::vec3(to_glm(centre)), 2.6F, to_glm(ink, 1), to_glm(ink), 1});
 }
 
 }  // namespace
@@ -93,7 +91,7 @@ void add_to_picture(Picture& picture, const scene::ModelCurveFigure& figure, con
     const float share = paleness * (depths[k] - near) / range;
     const Colour ink = mixed(curve_hue(picture.theme), picture.theme.stage, share);
     picture.ribbons.push_back({glm::vec3(to_glm(figure.samples[k].point)),
-                               glm::vec3(to_glm(figure.samples[k + 1].point)), solid(ink), width});
+                               glm::vec3(to_glm(figure.samples[k + 1].point)), to_glm(ink, 1), width});
   }
   if (picture.display.frames)
     for (const FrameArrow& arrow : arrows_of(figure, view, picture.theme))

@@ -13,16 +13,14 @@ namespace {
 
 constexpr float leg_width = 1.5F, hidden_leg_width = 1.1F;
 
-glm::vec4 ink_with(const Colour& c, float alpha) { return {c[0], c[1], c[2], alpha}; }
-
 /// All legs of the net; to a closed direction's first line again. While a direction rolls, one leg leads to the ghost.
 void add_net(Picture& picture, const scene::NetFigure& figure) {
   const BSplineSurface& surface = figure.surface;
   const int legs_u = surface.knots_u().closed() ? figure.rows : std::min(figure.rows, surface.knots_u().count() - 1);
   const int legs_v =
       surface.knots_v().closed() ? figure.columns : std::min(figure.columns, surface.knots_v().count() - 1);
-  const glm::vec4 front = ink_with(picture.theme.ink, picture.theme.dark ? 0.62F : 0.5F);
-  const glm::vec4 behind = ink_with(picture.theme.ink, picture.theme.dark ? 0.2F : 0.16F);
+  const glm::vec4 front = to_glm(picture.theme.ink, picture.theme.dark ? 0.62F : 0.5F);
+  const glm::vec4 behind = to_glm(picture.theme.ink, picture.theme.dark ? 0.2F : 0.16F);
   const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     picture.ribbons.push_back({glm::vec3(to_glm(a)), glm::vec3(to_glm(b)), front, leg_width});
     picture.hidden_ribbons.push_back({glm::vec3(to_glm(a)), glm::vec3(to_glm(b)), behind, hidden_leg_width});
@@ -38,22 +36,11 @@ void add_net(Picture& picture, const scene::NetFigure& figure) {
 void add_points(Picture& picture, std::span<const Handle> handles, const scene::BSplineSurfaceObject& object,
                 const InteractionState& state) {
   const Theme& theme = picture.theme;
-  const Colour white = theme.dark ? Colour{0.93F, 0.92F, 0.90F} : Colour{1, 1, 1};
   const float base = handles.size() > 1200 ? 2.2F : handles.size() > 300 ? 3.4F : handles.size() > 80 ? 4.6F : 5.8F;
   for (const Handle& handle : handles) {
     if (!handle.screen) continue;
-    const bool selected = state.selected == handle.index, hovered = state.hovered == handle.index;
     const Colour hue = scene::patch_hue(scene::patch_hue_index(object, handle.index), theme.dark);
-    const Colour rim = mixed(hue, Colour{0, 0, 0}, theme.dark ? 0.0F : 0.12F);
-    Disc disc{glm::vec3(handle.position), base, ink_with(white, 1), to_glm(rim), std::min(2.4F, 0.42F * base)};
-    if (hovered) disc.radius = std::max(base * 1.35F, 6.0F);
-    if (selected) {
-      disc.radius = std::max(base * 1.3F, 7.5F);
-      disc.fill = ink_with(theme.accent, 1);
-      disc.rim = to_glm(white);
-      disc.rim_width = 2.4F;
-    }
-    picture.discs.push_back(disc);
+    picture.discs.push_back(handle_disc(handle, hue, base, state, theme));
   }
 }
 
@@ -89,7 +76,7 @@ void add_to_picture(Picture& picture, const NetSurfaceFigure& figure, const Look
   if (const auto* object = std::get_if<scene::BSplineSurfaceObject>(&scene::stage_shape(look.document)))
     add_points(picture, look.handles, *object, look.state);
   if (look.state.insertion)
-    picture.overlay_discs.push_back({glm::vec3(look.state.insertion->position), 6, ink_with(picture.theme.stage, 0.9F),
+    picture.overlay_discs.push_back({glm::vec3(look.state.insertion->position), 6, to_glm(picture.theme.stage, 0.9F),
                                      to_glm(picture.theme.ink_soft), 1.6F});
 }
 

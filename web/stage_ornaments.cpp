@@ -14,8 +14,6 @@ namespace {
 
 constexpr int most_hairs = 2400;  // more are a fur that hides the surface
 
-glm::vec4 with_alpha(const Colour& c, float alpha) { return {c[0], c[1], c[2], alpha}; }
-
 Colour part_colour(GizmoPart part, const Theme& theme) {
   switch (part) {
     case GizmoPart::turn_u:
@@ -35,31 +33,34 @@ Colour part_colour(GizmoPart part, const Theme& theme) {
 
 }  // namespace
 
+Disc handle_disc(const Handle& handle, const Colour& hue, float radius, const InteractionState& state,
+                 const Theme& theme) {
+  const Colour white = theme.dark ? Colour{0.93F, 0.92F, 0.90F} : Colour{1, 1, 1};
+  const Colour rim = mixed(hue, Colour{0, 0, 0}, theme.dark ? 0.0F : 0.12F);
+  Disc disc{.centre = glm::vec3(handle.position),
+            .radius = radius,
+            .fill = to_glm(white, 1),
+            .rim = to_glm(rim),
+            .rim_width = std::min(2.4F, 0.4F * radius)};
+  if (state.hovered == handle.index) disc.radius = std::max(radius * 1.35F, 6.0F);
+  if (state.selected == handle.index) {
+    disc.radius = std::max(radius * 1.3F, 7.5F);
+    disc.fill = to_glm(theme.accent, 1);
+    disc.rim = to_glm(white);
+    disc.rim_width = 2.4F;
+  }
+  return disc;
+}
+
 void add_handles(Picture& picture, std::span<const Handle> handles, const scene::BlendingSurfaceObject& object,
                  const InteractionState& state) {
   const Theme& theme = picture.theme;
-  const Colour white = theme.dark ? Colour{0.93F, 0.92F, 0.90F} : Colour{1, 1, 1};
   // Many handles are drawn smaller, so that the surface is not buried under them.
   const float base = handles.size() > 1200 ? 2.2F : handles.size() > 300 ? 3.6F : handles.size() > 80 ? 5.0F : 6.5F;
   for (const Handle& handle : handles) {
     if (!handle.screen) continue;
-    const bool selected = state.selected == handle.index;
-    const bool hovered = state.hovered == handle.index;
     const Colour hue = scene::patch_hue(scene::patch_hue_index(object, handle.index), theme.dark);
-    const Colour rim = mixed(hue, Colour{0, 0, 0}, theme.dark ? 0.0F : 0.12F);
-    Disc disc{.centre = glm::vec3(handle.position),
-              .radius = base,
-              .fill = with_alpha(white, 1),
-              .rim = to_glm(rim),
-              .rim_width = std::min(2.4F, 0.4F * base)};
-    if (hovered) disc.radius = std::max(base * 1.35F, 6.0F);
-    if (selected) {
-      disc.radius = std::max(base * 1.3F, 7.5F);
-      disc.fill = with_alpha(theme.accent, 1);
-      disc.rim = to_glm(white);
-      disc.rim_width = 2.4F;
-    }
-    picture.discs.push_back(disc);
+    picture.discs.push_back(handle_disc(handle, hue, base, state, theme));
   }
 }
 
@@ -77,8 +78,8 @@ void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionSt
     if (stroke.points.size() == 1) {
       const auto radius = static_cast<float>(stroke.radius) * (strong ? 1.3F : 1.0F);
       const Colour face = strong ? colour : picture.theme.paper;
-      picture.overlay_discs.push_back({glm::vec3(stroke.points.front()), radius, with_alpha(face, 1), to_glm(colour),
-                                       std::max(1.6F, 0.32F * radius)});
+      picture.overlay_discs.push_back(
+          {glm::vec3(stroke.points.front()), radius, to_glm(face, 1), to_glm(colour), std::max(1.6F, 0.32F * radius)});
       continue;
     }
     const bool is_arrow = stroke.part == GizmoPart::move_normal;
@@ -92,7 +93,7 @@ void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionSt
       const double near = ring ? std::clamp(0.5 - 0.9 * depth, 0.0, 1.0) : 1.0;
       const auto alpha = static_cast<float>(strong ? 0.55 + 0.45 * near : 0.28 + 0.62 * near);
       picture.overlay_ribbons.push_back(
-          {glm::vec3(stroke.points[k]), glm::vec3(stroke.points[k + 1]), with_alpha(colour, alpha), width});
+          {glm::vec3(stroke.points[k]), glm::vec3(stroke.points[k + 1]), to_glm(colour, alpha), width});
     }
   }
 }
@@ -108,7 +109,7 @@ void add_patch_frames(Picture& picture, const BlendingSurface& surface, const sc
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d tip = origin + length * axes.col(axis);
         picture.ribbons.push_back({glm::vec3(to_glm(origin)), glm::vec3(to_glm(tip)),
-                                   with_alpha(colours[static_cast<std::size_t>(axis)], 0.95F), 2.2F});
+                                   to_glm(colours[static_cast<std::size_t>(axis)], 0.95F), 2.2F});
       }
     }
   }
@@ -127,7 +128,7 @@ void add_normals(Picture& picture, const KnottedSurface& surface) {
     const glm::dvec3 foot = to_glm(jet.s);
     const double length = 20 * picture.view.pixel_size(foot);
     const glm::dvec3 tip = foot + length * to_glm(unit_normal(jet));
-    picture.ribbons.push_back({glm::vec3(foot), glm::vec3(tip), with_alpha(colour, 0.6F), 1.1F});
+    picture.ribbons.push_back({glm::vec3(foot), glm::vec3(tip), to_glm(colour, 0.6F), 1.1F});
   }
 }
 

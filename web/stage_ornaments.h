@@ -6,7 +6,10 @@ namespace knotwork::web {
 
 // What is drawn on and about the surface, as plain ribbons and discs added to a picture.
 
-/// Handles: white discs with a rim in the patch's hue; the selected one in accent, the hovered one larger.
+/// A handle: a white disc with a rim in its hue; the selected one in accent, the hovered one larger.
+Disc handle_disc(const Handle& handle, const Colour& hue, float radius, const InteractionState& state,
+                 const Theme& theme);
+/// Those of local patches.
 void add_handles(Picture& picture, std::span<const Handle> handles, const scene::BlendingSurfaceObject& object,
                  const InteractionState& state);
 

@@ -10,11 +10,9 @@ namespace {
 constexpr float strong_width = 2, limit_strength = 0.5F, limit_width = 5;
 constexpr std::size_t large_vertices = 120, small_vertices = 1500;  // up to so many; more are no longer told apart
 
-glm::vec4 full(const Colour& colour) { return {colour[0], colour[1], colour[2], 1}; }
-
 void add_present_polygon(Picture& picture, const scene::SubdivisionFigure& figure) {
   const std::vector<Eigen::Vector3d>& polygon = figure.polygon;
-  const glm::vec4 ink = full(picture.theme.ink);
+  const glm::vec4 ink = to_glm(picture.theme.ink, 1);
   const std::size_t legs = polygon.size() - (figure.closed ? 0 : 1);
   for (std::size_t k = 0; k < legs; ++k) {
     const Eigen::Vector3d& next = polygon[(k + 1) % polygon.size()];
@@ -27,7 +25,7 @@ void add_present_polygon(Picture& picture, const scene::SubdivisionFigure& figur
   for (std::size_t k = 0; k < polygon.size(); k += step) {
     const glm::vec3 place(to_glm(polygon[k]));
     if (figure.doubled)
-      picture.discs.push_back({place, 1.9F * radius, full(picture.theme.stage), to_glm(picture.theme.ink), 1.4F});
+      picture.discs.push_back({place, 1.9F * radius, to_glm(picture.theme.stage, 1), to_glm(picture.theme.ink), 1.4F});
     picture.discs.push_back({place, radius, ink, to_glm(picture.theme.ink), 0});
   }
 }
@@ -41,7 +39,7 @@ void add_to_picture(Picture& picture, const scene::SubdivisionFigure& figure, co
   if (picture.display.handles) add_points(picture, look.handles, look.state);
   add_present_polygon(picture, figure);
   if (look.state.insertion)
-    picture.overlay_discs.push_back({glm::vec3(look.state.insertion->position), 6, full(picture.theme.stage),
+    picture.overlay_discs.push_back({glm::vec3(look.state.insertion->position), 6, to_glm(picture.theme.stage, 1),
                                      to_glm(picture.theme.ink_soft), 1.6F});
   add_stroke(picture, look);
 }

@@ -12,6 +12,7 @@ namespace knotwork::web {
 
 inline glm::dvec3 to_glm(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline glm::vec3 to_glm(const scene::Colour& c) { return {c[0], c[1], c[2]}; }
+inline glm::vec4 to_glm(const scene::Colour& c, float alpha) { return {c[0], c[1], c[2], alpha}; }
 inline Eigen::Vector3d to_eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 inline glm::dmat3 to_glm_matrix(const Eigen::Matrix3d& m) {

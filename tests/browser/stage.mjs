@@ -382,3 +382,18 @@ export function luminance(colour) {
   const [r, g, b] = colour.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
+
+/// Each of the documents that `bad` makes of a good one ([path, words, spoil]) is refused with that path and such words,
+/// and the good one stays.
+export async function assertRefused(page, good, bad) {
+  for (const [path, words, spoil] of bad) {
+    const document = structuredClone(good);
+    spoil(document.objects[0]);
+    await assert.rejects(call(page, 'load', document), (error) => {
+      assert.ok(error.path.startsWith(path), `${error.path} instead of ${path}: ${error.message}`);
+      assert.match(error.message, words);
+      return true;
+    });
+    assert.deepEqual(await documentOf(page), good);
+  }
+}

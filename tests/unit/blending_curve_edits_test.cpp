@@ -8,6 +8,8 @@
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/history.h"
 
+#include "unit/refused_command.h"
+
 namespace knotwork::scene::blending_curve_edits_test {
 namespace {
 
@@ -23,16 +25,6 @@ BlendingCurveObject start_curve() {
 }
 
 int row_called(std::string_view id) { return static_cast<int>(find_catalogue_curve(id) - curve_catalogue().data()); }
-
-/// The error of a command that must be refused and change nothing.
-Error refusal(Document document, const Command& command) {
-  const Document before = document;
-  const Status status = apply(document, command);
-  CHECK(document == before);
-  REQUIRE_FALSE(status);
-  CHECK_FALSE(status.error().message.empty());
-  return status.error();
-}
 
 /// The path of the error of a document whose curve has been spoilt.
 template <class F>

@@ -6,6 +6,8 @@
 
 #include "knotwork/scene/chapters.h"
 
+#include "unit/refused_command.h"
+
 namespace knotwork::scene::commands_test {
 namespace {
 
@@ -13,16 +15,6 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
 Document start() { return find_chapter("blending-surface")->start_document(); }
-
-/// The error of a command that must be refused and change nothing.
-Error refusal(Document document, const Command& command) {
-  const Document before = document;
-  const Status status = apply(document, command);
-  CHECK(document == before);
-  REQUIRE_FALSE(status);
-  CHECK_FALSE(status.error().message.empty());
-  return status.error();
-}
 
 }  // namespace
 

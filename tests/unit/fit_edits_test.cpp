@@ -10,6 +10,8 @@
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/history.h"
 
+#include "unit/refused_command.h"
+
 namespace knotwork::scene::fit_edits_test {
 namespace {
 
@@ -25,15 +27,6 @@ double rms(Document document) { return build_fit(fitted(document)).value().fit.r
 Document with(std::string id, ParameterValue value, Document document = start()) {
   REQUIRE(apply(document, SetParameter{std::move(id), std::move(value)}));
   return document;
-}
-
-/// The error of a command that must be refused and change nothing.
-Error refusal(Document document, const Command& command) {
-  const Document before = document;
-  const Status status = apply(document, command);
-  CHECK(document == before);
-  REQUIRE_FALSE(status);
-  return status.error();
 }
 
 std::vector<Eigen::Vector3d> wave(int count) {

@@ -9,6 +9,8 @@
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/history.h"
 
+#include "unit/refused_command.h"
+
 namespace knotwork::scene::subdivision_edits_test {
 namespace {
 
@@ -23,15 +25,6 @@ SubdivisionCurveObject& polygon(Document& document) {
 Document with(std::string id, ParameterValue value, Document document = start()) {
   REQUIRE(apply(document, SetParameter{std::move(id), std::move(value)}));
   return document;
-}
-
-/// The error of a command that must be refused and change nothing.
-Error refusal(Document document, const Command& command) {
-  const Document before = document;
-  const Status status = apply(document, command);
-  CHECK(document == before);
-  REQUIRE_FALSE(status);
-  return status.error();
 }
 
 }  // namespace
