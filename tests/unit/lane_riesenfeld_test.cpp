@@ -186,6 +186,22 @@ TEST_CASE("the sweep is the passes bit for bit and the mask to rounding, all deg
   }
 }
 
+TEST_CASE("long polygons of degree 3, whose levels are computed by the block, are the passes bit for bit") {
+  std::mt19937 random(3);
+  for (const Topology topology : topologies) {
+    const LaneRiesenfeld scheme{3, topology};
+    for (const std::size_t count : {255U, 256U, 257U, 258U, 287U, 288U, 289U, 290U, 319U, 1000U}) {
+      CAPTURE(count);
+      const Polygon points = random_polygon(count, random);
+      CHECK(subdivide(scheme, points, 1).value() == level_by_passes(scheme, points));
+      // Into room that holds something else.
+      Polygon room(subdivided_count(scheme, count, 2), Eigen::Vector3d::Constant(7));
+      subdivide(scheme, points, 2, room);
+      CHECK(room == level_by_passes(scheme, level_by_passes(scheme, points)));
+    }
+  }
+}
+
 TEST_CASE("the split and one averaging pass") {
   const Polygon triangle{{0, 0, 0}, {4, 0, 0}, {0, 8, 2}};
   const Polygon split = split_points(triangle);

@@ -5,6 +5,9 @@
 #include <cassert>
 #include <cstddef>
 
+#include "knotwork/basis/fixed_degree.h"
+#include "knotwork/basis/lanes.h"
+
 namespace knotwork {
 namespace {
 
@@ -33,6 +36,62 @@ void times_derivative(const KnotVector& knots, int span, int d, std::span<double
   row[static_cast<std::size_t>(d)] = carried;
 }
 
+/// times_factor() with the divisions taken out of the loop over the parameters, and the distances to the knots found
+/// once. Of the usual degree the compiler knows the loops' lengths.
+template <int fixed_degree>
+void basis_columns(const KnotVector& knots, int span, std::span<const double> t, std::span<double> out) {
+  const std::size_t p = degree_or_fixed<fixed_degree>(knots.degree());
+  const std::size_t size = t.size();
+  // The bound keeps the reciprocals finite.
+  constexpr double least_width = 1e-290;
+  constexpr std::size_t most = degree_or_fixed<fixed_degree>(KnotVector::max_degree);
+  std::array<double, most*(most + 1) / 2> reciprocal;
+  for (int d = 1, k = 0; d <= static_cast<int>(p); ++d) {
+    for (int r = 0; r < d; ++r, ++k)
+      reciprocal[static_cast<std::size_t>(k)] =
+          1 / std::max(knots[span + 1 + r] - knots[span - d + 1 + r], least_width);
+  }
+  std::array<double, most> left, right;  // t_{span-k} and t_{span+1+k}
+  for (std::size_t k = 0; k < p; ++k) {
+    left[k] = knots[span - static_cast<int>(k)];
+    right[k] = knots[span + 1 + static_cast<int>(k)];
+  }
+  std::array<Lanes, most> from_left, to_right;  // t - t_{span-k} and t_{span+1+k} - t
+  std::array<Lanes, most + 1> row;
+  for (std::size_t first = 0; first < size; first += lane_count) {
+    const bool whole = first + lane_count <= size;
+    Lanes at;
+    if (whole) {
+      load(at, &t[first]);
+    } else {
+      for (std::size_t l = 0; l < lane_count; ++l) at[l] = t[std::min(first + l, size - 1)];
+    }
+    for (std::size_t k = 0; k < p; ++k) {
+      from_left[k] = at - left[k];
+      to_right[k] = right[k] - at;
+    }
+    row[0] = Lanes{} + 1.0;
+    const double* next_reciprocal = reciprocal.data();
+    for (std::size_t d = 1; d <= p; ++d) {
+      Lanes carried{};
+      for (std::size_t r = 0; r < d; ++r) {
+        const Lanes value = row[r] * *next_reciprocal++;
+        row[r] = carried + value * to_right[r];
+        carried = value * from_left[d - 1 - r];
+      }
+      row[d] = carried;
+    }
+    for (std::size_t j = 0; j <= p; ++j) {
+      double* const to = out.data() + j * size + first;
+      if (whole) {
+        store(row[j], to);
+      } else {
+        for (std::size_t l = 0; first + l < size; ++l) to[l] = row[j][l];
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void bspline_basis(const KnotVector& knots, int span, double t, int order, std::span<double> out) {
@@ -56,59 +115,9 @@ void bspline_basis(const KnotVector& knots, int span, double t, int order, std::
 }
 
 void bspline_basis_columns(const KnotVector& knots, int span, std::span<const double> t, std::span<double> out) {
-  const int p = knots.degree();
-  const std::size_t size = t.size();
-  assert(out.size() == size * (static_cast<std::size_t>(p) + 1));
+  assert(out.size() == t.size() * (static_cast<std::size_t>(knots.degree()) + 1));
   assert(knots[span] < knots[span + 1]);
-
-  // times_factor() with the divisions taken out of the loop over the parameters, and the distances to the knots found
-  // once. The bound keeps the reciprocals finite.
-  constexpr double least_width = 1e-290;
-  constexpr std::size_t most_factors = KnotVector::max_degree * (KnotVector::max_degree + 1) / 2;
-  std::array<double, most_factors> reciprocal;
-  for (int d = 1, k = 0; d <= p; ++d) {
-    for (int r = 0; r < d; ++r, ++k)
-      reciprocal[static_cast<std::size_t>(k)] =
-          1 / std::max(knots[span + 1 + r] - knots[span - d + 1 + r], least_width);
-  }
-  // So many parameters at a time that every inner loop has a fixed length, which compilers vectorize at any setting.
-  constexpr std::size_t lanes = 8;
-  using Lanes = std::array<double, lanes>;
-  std::array<Lanes, KnotVector::max_degree> from_left, to_right;  // t - t_{span-k} and t_{span+1+k} - t
-  std::array<Lanes, KnotVector::max_degree + 1> row;
-  for (std::size_t first = 0; first < size; first += lanes) {
-    const std::size_t here = std::min(lanes, size - first);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(p); ++k) {
-      const double left = knots[span - static_cast<int>(k)], right = knots[span + 1 + static_cast<int>(k)];
-      for (std::size_t l = 0; l < lanes; ++l) {
-        const double at = t[first + std::min(l, here - 1)];
-        from_left[k][l] = at - left;
-        to_right[k][l] = right - at;
-      }
-    }
-    row[0].fill(1);
-    const double* next_reciprocal = reciprocal.data();
-    for (std::size_t d = 1; d <= static_cast<std::size_t>(p); ++d) {
-      Lanes carried{};
-      for (std::size_t r = 0; r < d; ++r) {
-        const double per_width = *next_reciprocal++;
-        for (std::size_t l = 0; l < lanes; ++l) {
-          const double value = row[r][l] * per_width;
-          row[r][l] = carried[l] + value * to_right[r][l];
-          carried[l] = value * from_left[d - 1 - r][l];
-        }
-      }
-      row[d] = carried;
-    }
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(p); ++j) {
-      double* const to = out.data() + j * size + first;
-      if (here == lanes) {
-        for (std::size_t l = 0; l < lanes; ++l) to[l] = row[j][l];
-      } else {
-        std::copy_n(row[j].begin(), here, to);
-      }
-    }
-  }
+  return knots.degree() == 3 ? basis_columns<3>(knots, span, t, out) : basis_columns<any_degree>(knots, span, t, out);
 }
 
 }  // namespace knotwork

@@ -52,6 +52,11 @@ int max_levels(const LaneRiesenfeld& scheme, std::size_t count);
 Result<std::vector<Eigen::Vector3d>> subdivide(const LaneRiesenfeld& scheme, std::span<const Eigen::Vector3d> points,
                                                int levels);
 
+/// The same into `out`, which has room for subdivided_count() points and does not overlap `points`. Allocates nothing.
+/// Precondition: what the above checks.
+void subdivide(const LaneRiesenfeld& scheme, std::span<const Eigen::Vector3d> points, int levels,
+               std::span<Eigen::Vector3d> out);
+
 /// The parameter of the limit curve c that vertex j belongs to after `level` levels of `count` points:
 ///
 ///   t = d + (j - (d-1)/2) / 2^level,   closed: taken by the period n into [d, d+n).

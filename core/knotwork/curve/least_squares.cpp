@@ -28,6 +28,19 @@ std::string element_path(const char* list, std::size_t i) { return std::string(l
 /// The comparison that is quiet about a NaN, and false.
 bool small_enough(double x) { return std::islessequal(std::abs(x), LeastSquaresOptions::largest_number); }
 
+/// The first of the numbers that is not; without a branch for each as long as all are.
+std::optional<std::size_t> first_not_small(std::span<const double> numbers) {
+  constexpr std::size_t at_once = 64;
+  for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+    const std::span<const double> here = numbers.subspan(first, std::min(at_once, numbers.size() - first));
+    int good = 1;
+    for (const double x : here) good &= static_cast<int>(small_enough(x));
+    if (good != 0) continue;
+    return first + static_cast<std::size_t>(std::find_if_not(here.begin(), here.end(), small_enough) - here.begin());
+  }
+  return std::nullopt;
+}
+
 Status check_fit_input(const KnotVector& knots, DataPoints points, std::span<const double> parameters,
                        const LeastSquaresOptions& options) {
   if (points.size() != parameters.size()) {
@@ -35,12 +48,8 @@ Status check_fit_input(const KnotVector& knots, DataPoints points, std::span<con
                                std::to_string(parameters.size()) + " parameters."};
   }
   if (points.empty()) return Error{"points", "There are no points."};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (const double coordinate : points[i]) {
-      if (!small_enough(coordinate))
-        return Error{element_path("points", i), "A point must have finite coordinates of reasonable size."};
-    }
-  }
+  if (const std::optional<std::size_t> bad = first_not_small({points.front().data(), 3 * points.size()}))
+    return Error{element_path("points", *bad / 3), "A point must have finite coordinates of reasonable size."};
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     if (!std::isfinite(parameters[j]))
       return Error{element_path("parameters", j), "A parameter must be a finite number."};
@@ -75,27 +84,31 @@ class DataBySpan {
     begin_.resize(spans + 1);
     count_.on.resize(spans + (knots.closed() ? 0 : 1));
     count_.inside.resize(spans);
-    std::vector<std::uint16_t> span_of(parameters.size());
     std::vector<double> different(spans * (static_cast<std::size_t>(knots.degree()) + 1));
+    // Runs of data of one span: most data are sorted.
+    struct Run {
+      std::size_t begin, end, s;
+    };
+    std::vector<Run> runs;
     bool sorted = true;
-    int span = knots.degree();
-    for (std::size_t j = 0; j < parameters.size(); ++j) {
-      const double t = parameter(j);
-      if (!(knots[span] <= t && t < knots[span + 1])) span = knots.span(t);
-      const std::size_t s = static_cast<std::size_t>(span - knots.degree());
-      span_of[j] = static_cast<std::uint16_t>(s);
-      sorted = sorted && (j == 0 || span_of[j - 1] <= s);
-      ++begin_[s + 1];
-      if (weight(j) > 0) {
-        ++total_;
-        count_parameter(span, t, different);
-      }
+    for (std::size_t j = 0; j < parameters.size();) {
+      const int span = knots.span(parameter(j));
+      const double from = knots[span], to = knots[span + 1];
+      Run run{j, j + 1, static_cast<std::size_t>(span - knots.degree())};
+      while (run.end < parameters.size() && from <= parameter(run.end) && parameter(run.end) < to) ++run.end;
+      count_run(span, run.begin, run.end, different);
+      sorted = sorted && (runs.empty() || runs.back().s <= run.s);
+      begin_[run.s + 1] += run.end - run.begin;
+      runs.push_back(run);
+      j = run.end;
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     if (sorted) return;
     order_.resize(parameters.size());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t j = 0; j < parameters.size(); ++j) order_[next[span_of[j]]++] = static_cast<std::uint32_t>(j);
+    for (const Run& run : runs) {
+      for (std::size_t j = run.begin; j < run.end; ++j) order_[next[run.s]++] = static_cast<std::uint32_t>(j);
+    }
   }
 
   const KnotVector& knots() const { return knots_; }
@@ -113,6 +126,21 @@ class DataBySpan {
   const Eigen::Vector3d& point(std::size_t j) const { return points_[j]; }
 
  private:
+  void count_run(int span, std::size_t begin, std::size_t end, std::vector<double>& different) {
+    const std::size_t s = static_cast<std::size_t>(span - knots_.degree());
+    std::size_t j = begin;
+    // Once it is known that more parameters than the degree lie inside, only one at the knot itself could tell more.
+    for (; j < end && (weighted() || count_.inside[s] <= knots_.degree()); ++j) {
+      if (!(weight(j) > 0)) continue;
+      ++total_;
+      count_parameter(span, parameter(j), different);
+    }
+    total_ += end - j;
+    bool on = false;
+    for (; j < end; ++j) on |= parameter(j) == knots_[span];
+    if (on) count_.on[s] = 1;
+  }
+
   /// `different` holds p+1 places for every span, for the parameters counted inside it.
   void count_parameter(int span, double t, std::vector<double>& different) {
     const std::size_t s = static_cast<std::size_t>(span - knots_.degree());

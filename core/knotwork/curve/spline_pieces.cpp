@@ -2,18 +2,39 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
+
+#include "knotwork/basis/fixed_degree.h"
+#include "knotwork/basis/lanes.h"
+#include "knotwork/basis/point_columns.h"
 
 namespace knotwork {
 
 namespace {
 
-/// Points of one piece that are evaluated together.
-using Block = Eigen::Array4d;
+/// So many parameters are looked at at once: all in one piece, they are evaluated together, a lane each; else one by
+/// one, a lane for each coordinate.
+constexpr std::size_t block_size = 16;
 
-/// Value m goes to out[m stride].
-void store(double x, double y, double z, std::size_t, Eigen::Vector3d* out) { *out = {x, y, z}; }
-void store(const Block& x, const Block& y, const Block& z, std::size_t stride, Eigen::Vector3d* out) {
-  for (Eigen::Index m = 0; m < x.size(); ++m, out += stride) *out = {x[m], y[m], z[m]};
+struct Range {
+  double least, most;
+};
+
+Range least_and_most(const double* block) {
+  Lanes least, most, t;
+  load(least, block);
+  most = least;
+  for (std::size_t m = lane_count; m < block_size; m += lane_count) {
+    load(t, block + m);
+    least = t < least ? t : least;
+    most = t > most ? t : most;
+  }
+  Range range{least[0], most[0]};
+  for (std::size_t k = 1; k < lane_count; ++k) {
+    range.least = std::min(range.least, least[k]);
+    range.most = std::max(range.most, most[k]);
+  }
+  return range;
 }
 
 }  // namespace
@@ -34,13 +55,15 @@ SplinePieces::SplinePieces(const BSplineCurve& curve) : knots_(curve.knots()) {
       double binomial = 1;
       for (int k = 0; k <= top; ++k) {
         if (k > 0) ends[static_cast<std::size_t>(top - k)] = to;
-        coefficients_[static_cast<std::size_t>(order)].emplace_back(binomial * curve.blossom(span, ends));
+        const Eigen::Vector3d q = binomial * curve.blossom(span, ends);
+        coefficients_[static_cast<std::size_t>(order)].push_back({q.x(), q.y(), q.z(), 0});
         binomial = binomial * (top - k) / (k + 1);
       }
     }
   }
   breaks_.push_back(knots_.end());
 
+  buckets_per_unit_ = static_cast<double>(piece_count()) / knots_.period();
   breaks_before_.assign(breaks_.size() + 1, 0);
   for (std::size_t k = 1; k + 1 < breaks_.size(); ++k) ++breaks_before_[bucket_of(breaks_[k]) + 1];
   for (std::size_t b = 1; b < breaks_before_.size(); ++b) breaks_before_[b] += breaks_before_[b - 1];
@@ -51,8 +74,8 @@ SplinePieces::SplinePieces(const BSplineCurve& curve) : knots_(curve.knots()) {
 /// chance.
 std::size_t SplinePieces::bucket_of(double t) const {
   constexpr double half_a_bucket = 0.5;
-  const double share = (t - knots_.start()) / knots_.period();
-  return static_cast<std::size_t>(share * static_cast<double>(piece_count()) + half_a_bucket);
+  return static_cast<std::size_t>(
+      static_cast<std::ptrdiff_t>((t - knots_.start()) * buckets_per_unit_ + half_a_bucket));
 }
 
 std::size_t SplinePieces::piece_at(double t) const {
@@ -64,25 +87,84 @@ std::size_t SplinePieces::piece_at(double t) const {
   return static_cast<std::size_t>(std::upper_bound(first, first + inside, t) - breaks_.begin()) - 1;
 }
 
-template <class Lanes>
-void SplinePieces::evaluate_in(std::size_t piece, const Lanes& t, std::size_t values, Eigen::Vector3d* out) const {
-  const Lanes w = (t - breaks_[piece]) * inverse_widths_[piece], rest = 1 - w, zero = w * 0;
-  const std::size_t width = static_cast<std::size_t>(degree()) + 1;
-  for (std::size_t order = 0; order < values; ++order) {
-    if (order >= width) {
-      store(zero, zero, zero, values, out + order);
-      continue;
+/// A block of parameters of one piece: the coefficients are the same for all lanes.
+template <int fixed_degree, std::size_t values>
+void SplinePieces::evaluate_together(std::size_t piece, const double* t, double* out) const {
+  const std::size_t width = degree_or_fixed<fixed_degree>(degree()) + 1;
+  const double from = breaks_[piece], inverse = inverse_widths_[piece];
+  PointColumns<3 * values, block_size> columns;
+  for (std::size_t m = 0; m < block_size; m += lane_count) {
+    Lanes w;
+    load(w, t + m);
+    w = (w - from) * inverse;
+    const Lanes rest = 1 - w;
+    for (std::size_t order = 0; order < values; ++order) {
+      Lanes power = w, x{}, y{}, z{};
+      if (order < width) {
+        const Coefficient* q = coefficients(piece, order);
+        x += q->x;
+        y += q->y;
+        z += q->z;
+        for (std::size_t k = 1; k + order < width; ++k) {
+          ++q;
+          x = rest * x + power * q->x;
+          y = rest * y + power * q->y;
+          z = rest * z + power * q->z;
+          power *= w;
+        }
+      }
+      store(x, columns.at(3 * order, m));
+      store(y, columns.at(3 * order + 1, m));
+      store(z, columns.at(3 * order + 2, m));
     }
-    const Eigen::Vector3d* q = coefficients_[order].data() + piece * (width - order);
-    Lanes power = w, x = zero + q[0].x(), y = zero + q[0].y(), z = zero + q[0].z();
-    for (std::size_t k = 1; k < width - order; ++k) {
-      x = rest * x + power * q[k].x();
-      y = rest * y + power * q[k].y();
-      z = rest * z + power * q[k].z();
-      power *= w;
-    }
-    store(x, y, z, values, out + order);
   }
+  columns.hand_over(out);
+}
+
+template <int fixed_degree, std::size_t values>
+void SplinePieces::evaluate_alone(double t, double* out) const {
+  const std::size_t width = degree_or_fixed<fixed_degree>(degree()) + 1;
+  const double inside = t >= knots_.start() && t < knots_.end() ? t : knots_.reduced(t);
+  const std::size_t piece = piece_at(inside);
+  const double w = (inside - breaks_[piece]) * inverse_widths_[piece], rest = 1 - w;
+  for (std::size_t order = 0; order < values; ++order, out += 3) {
+    double x = 0, y = 0, z = 0;
+    if (order < width) {
+      const Coefficient* q = coefficients(piece, order);
+      x = q->x;
+      y = q->y;
+      z = q->z;
+      double power = w;
+      for (std::size_t k = 1; k + order < width; ++k) {
+        ++q;
+        x = rest * x + power * q->x;
+        y = rest * y + power * q->y;
+        z = rest * z + power * q->z;
+        power *= w;
+      }
+    }
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+  }
+}
+
+template <int fixed_degree, std::size_t values>
+void SplinePieces::evaluate_all(std::span<const double> t, double* out) const {
+  const double start = knots_.start(), end = knots_.end();
+  std::size_t m = 0, piece = 0;
+  for (; m + block_size <= t.size(); m += block_size, out += 3 * values * block_size) {
+    const auto [least, most] = least_and_most(&t[m]);
+    if (least >= start && most < end) {
+      if (!(breaks_[piece] <= least && least < breaks_[piece + 1])) piece = piece_at(least);
+      if (most < breaks_[piece + 1]) {
+        evaluate_together<fixed_degree, values>(piece, &t[m], out);
+        continue;
+      }
+    }
+    for (std::size_t k = 0; k < block_size; ++k) evaluate_alone<fixed_degree, values>(t[m + k], out + 3 * values * k);
+  }
+  for (; m < t.size(); ++m, out += 3 * values) evaluate_alone<fixed_degree, values>(t[m], out);
 }
 
 Eigen::Vector3d SplinePieces::operator()(double t) const {
@@ -93,28 +175,33 @@ Eigen::Vector3d SplinePieces::operator()(double t) const {
 
 void SplinePieces::evaluate(std::span<const double> t, int order, std::span<Eigen::Vector3d> out) const {
   assert(order >= 0 && order <= max_order);
-  const std::size_t values = static_cast<std::size_t>(order) + 1;
-  assert(out.size() == t.size() * values);
-  constexpr std::size_t block_size = Block::SizeAtCompileTime;
-  std::size_t piece = 0;
-  // One comparison: for shuffled parameters each end alone is a coin toss, which a processor predicts badly. The piece's
-  // start is left to the search.
-  const auto in_piece = [&](double least, double most) {
-    return std::min(least - breaks_[piece], breaks_[piece + 1] - most) > 0;
-  };
-  for (std::size_t m = 0; m < t.size();) {
-    const bool reduced = t[m] >= knots_.start() && t[m] < knots_.end();
-    const double inside = reduced ? t[m] : knots_.reduced(t[m]);
-    if (!in_piece(inside, inside)) piece = piece_at(inside);
-    const std::size_t first = m;
-    for (; m + block_size <= t.size(); m += block_size) {
-      const Block block = Eigen::Map<const Block>(&t[m]);
-      if (!in_piece(block.minCoeff(), block.maxCoeff())) break;
-      evaluate_in(piece, block, values, &out[m * values]);
+  assert(out.size() == t.size() * (static_cast<std::size_t>(order) + 1));
+  if (out.empty()) return;
+  double* const to = out.front().data();
+  const auto evaluate_values = [&]<std::size_t count>(std::integral_constant<std::size_t, count>) {
+    // The usual degrees with loops of a length that the compiler knows.
+    switch (degree()) {
+      case 1:
+        return evaluate_all<1, count>(t, to);
+      case 2:
+        return evaluate_all<2, count>(t, to);
+      case 3:
+        return evaluate_all<3, count>(t, to);
+      case 4:
+        return evaluate_all<4, count>(t, to);
+      case 5:
+        return evaluate_all<5, count>(t, to);
+      default:
+        return evaluate_all<any_degree, count>(t, to);
     }
-    if (m > first) continue;
-    evaluate_in(piece, inside, values, &out[m * values]);
-    ++m;
+  };
+  switch (order) {
+    case 0:
+      return evaluate_values(std::integral_constant<std::size_t, 1>());
+    case 1:
+      return evaluate_values(std::integral_constant<std::size_t, 2>());
+    default:
+      return evaluate_values(std::integral_constant<std::size_t, 3>());
   }
 }
 
