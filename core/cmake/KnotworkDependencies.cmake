@@ -149,3 +149,25 @@ function(knotwork_find_sisl)
                                                 INTERFACE_INCLUDE_DIRECTORIES "${KNOTWORK_SISL_INCLUDE}")
   endif()
 endfunction()
+
+# OpenCASCADE's geometry, for the contest of benchmarks: the target OpenCASCADE::OpenCASCADE exists afterwards exactly
+# where its package is on the system (Debian: libocct-modeling-data-dev). Its headers count as the system's.
+function(knotwork_find_opencascade)
+  if(TARGET OpenCASCADE::OpenCASCADE)
+    return()
+  endif()
+  find_path(KNOTWORK_OPENCASCADE_INCLUDE GeomAdaptor_Curve.hxx PATH_SUFFIXES opencascade)
+  find_library(KNOTWORK_OPENCASCADE_KERNEL TKernel)
+  find_library(KNOTWORK_OPENCASCADE_MATH TKMath)
+  find_library(KNOTWORK_OPENCASCADE_GEOMETRY TKG3d)
+  mark_as_advanced(KNOTWORK_OPENCASCADE_INCLUDE KNOTWORK_OPENCASCADE_KERNEL KNOTWORK_OPENCASCADE_MATH
+                   KNOTWORK_OPENCASCADE_GEOMETRY)
+  if(KNOTWORK_OPENCASCADE_INCLUDE AND KNOTWORK_OPENCASCADE_KERNEL AND KNOTWORK_OPENCASCADE_MATH
+     AND KNOTWORK_OPENCASCADE_GEOMETRY)
+    add_library(OpenCASCADE::OpenCASCADE INTERFACE IMPORTED GLOBAL)
+    set_target_properties(OpenCASCADE::OpenCASCADE PROPERTIES
+      INTERFACE_INCLUDE_DIRECTORIES "${KNOTWORK_OPENCASCADE_INCLUDE}"
+      INTERFACE_LINK_LIBRARIES
+        "${KNOTWORK_OPENCASCADE_GEOMETRY};${KNOTWORK_OPENCASCADE_MATH};${KNOTWORK_OPENCASCADE_KERNEL}")
+  endif()
+endfunction()

@@ -11,6 +11,7 @@ function(knotwork_own_code target)
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
     $<$<BOOL:${KNOTWORK_WARNINGS_AS_ERRORS}>:-Werror>)
   knotwork_floating_point(${target})
+  knotwork_architecture(${target})
   knotwork_webassembly(${target})
   knotwork_exceptions(${target})
   knotwork_sanitizers(${target})
@@ -21,6 +22,17 @@ endfunction()
 # gives the same numbers natively and in the browser, which the oracles' 1e-12 and shared documents rely on.
 function(knotwork_floating_point target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+# For whoever links the target too: Eigen's types are aligned by it.
+function(knotwork_architecture target)
+  if(KNOTWORK_ARCHITECTURE)
+    target_compile_options(${target} PUBLIC "-march=${KNOTWORK_ARCHITECTURE}")
+    # GCC 12 finds fault with its own AVX-512 header.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-uninitialized)
+    endif()
+  endif()
 endfunction()
 
 # WebAssembly's additions that every browser with SIMD has as well (2023 and later): 128-bit lanes for Eigen and the

@@ -15,6 +15,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/bspline_refinement.cpp
   knotwork/curve/closest_point.cpp
   knotwork/curve/curve_catalogue.cpp
+  knotwork/curve/curve_fit.cpp
   knotwork/curve/curve_measures.cpp
   knotwork/curve/interval_minimum.cpp
   knotwork/curve/lane_riesenfeld.cpp
@@ -31,7 +32,9 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/mesh/surface_tables.cpp
   knotwork/surface/bezier_surface.cpp
   knotwork/surface/blending_surface.cpp
+  knotwork/surface/blending_surface_grid.cpp
   knotwork/surface/bspline_surface.cpp
+  knotwork/surface/bspline_surface_grid.cpp
   knotwork/surface/closest_surface_point.cpp
   knotwork/surface/mixed_partials.cpp
   knotwork/surface/mixed_series.cpp
@@ -41,7 +44,6 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/surface/surface_catalogue.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
-  knotwork/curve/curve_fit.cpp
 )
 set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/basis/bernstein.h
@@ -85,6 +87,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/surface/surface_area.h
   knotwork/surface/surface_catalogue.h
   knotwork/surface/surface_domain.h
+  knotwork/surface/surface_frame.h
   knotwork/surface/surface_jet.h
   knotwork/surface/surface_measures.h
   knotwork/surface/taylor2.h
@@ -93,15 +96,19 @@ set(KNOTWORK_GEOMETRY_HEADERS
 # Used by the sources above only, not installed.
 set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/basis/expo_rational_table.h
+  knotwork/basis/fixed_degree.h
   knotwork/basis/gauss_legendre.h
   knotwork/basis/integer_power.h
+  knotwork/basis/lanes.h
   knotwork/basis/local_blend.h
+  knotwork/basis/point_columns.h
   knotwork/curve/banded_triangle.h
   knotwork/curve/interval_minimum.h
   knotwork/curve/point_check.h
   knotwork/curve/row_block.h
   knotwork/curve/schoenberg_whitney.h
   knotwork/curve/vector_length.h
+  knotwork/surface/frame_columns.h
   knotwork/surface/mixed_series.h
   knotwork/surface/net.h
   knotwork/surface/sheet_formula.h

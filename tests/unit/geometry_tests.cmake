@@ -34,6 +34,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/spline_pieces_test.cpp
   unit/surface_area_test.cpp
   unit/surface_catalogue_test.cpp
+  unit/surface_grid_test.cpp
   unit/surface_measures_test.cpp
   unit/surface_sampling_test.cpp
   unit/taylor2_test.cpp

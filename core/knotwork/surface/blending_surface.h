@@ -13,6 +13,7 @@
 #include "knotwork/basis/knot_vector.h"
 #include "knotwork/later.h"
 #include "knotwork/surface/model_surface.h"
+#include "knotwork/surface/surface_frame.h"
 #include "knotwork/surface/surface_jet.h"
 
 namespace knotwork {
@@ -98,6 +99,11 @@ class BlendingSurface {
   /// All pairs: out[a * v.size() + b] belongs to (u[a], v[b]). Fast path: without a twist B is evaluated once a row and
   /// column. Allocates nothing.
   void evaluate_grid(std::span<const double> u, std::span<const double> v, std::span<SurfaceJet> out) const;
+
+  /// Points with first partials and unit normals (unit_normal() of the whole jet where the partials are parallel): the
+  /// fast path for large grids over a model without a twist. The maps of a cell are blended over u once a row; so sorted
+  /// v are the fastest. Agrees with evaluate() to rounding. Scratch memory: O(u.size() + v.size()).
+  void evaluate_grid(std::span<const double> u, std::span<const double> v, std::span<SurfaceFrame> out) const;
 
   /// The four-patch form, term by term as in the formula above: the readable reference that the fast form is held to.
   SurfaceJet evaluate_four_patches(double u, double v) const;
