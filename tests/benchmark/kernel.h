@@ -27,6 +27,9 @@ struct Kernel {
   double tolerance = 1e-13;
 };
 
+/// The rows of the program: each program has its own.
+std::vector<Kernel> all_kernels();
+
 /// Each file's rows.
 std::vector<Kernel> curve_kernels();
 std::vector<Kernel> fitting_kernels();

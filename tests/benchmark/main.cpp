@@ -1,5 +1,5 @@
-// knotwork_benchmark: the time of every evaluator, an item at a time. Before anything is timed, each kernel runs once
-// and is held to its reference; the program fails where one is wrong, and never because one is slow.
+// The benchmark programs' main: the time of each kernel of the program, an item at a time. Before anything is timed, each
+// runs once and is held to its reference; the program fails where one is wrong, and never because one is slow.
 //
 //   knotwork_benchmark                                  the table
 //   knotwork_benchmark --check                          the comparison alone
@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -18,14 +17,6 @@
 namespace knotwork::benchmark {
 namespace {
 
-std::vector<Kernel> all_kernels() {
-  std::vector<Kernel> all;
-  for (const auto& rows : {curve_kernels, fitting_kernels, surface_kernels, measure_kernels}) {
-    for (Kernel& kernel : rows()) all.push_back(std::move(kernel));
-  }
-  return all;
-}
-
 /// True when all agree with their references; prints each.
 bool check(const std::vector<Kernel>& kernels) {
   bool right = true;
@@ -33,8 +24,8 @@ bool check(const std::vector<Kernel>& kernels) {
     kernel.run();
     const double error = kernel.error();
     const bool within = error <= kernel.tolerance;
-    std::printf("%-66s differs by %8.2g, allowed %8.2g%s\n", kernel.name.c_str(), error, kernel.tolerance,
-                within ? "" : "  WRONG");
+    std::fprintf(stderr, "%-66s differs by %8.2g, allowed %8.2g%s\n", kernel.name.c_str(), error, kernel.tolerance,
+                 within ? "" : "  WRONG");
     right = right && within;
   }
   return right;
