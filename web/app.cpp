@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "knotwork/mesh/blending_tables.h"
+#include "knotwork/mesh/net_tables.h"
 #include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/curve_edits.h"
@@ -287,11 +288,10 @@ void App::update_surface(const scene::BlendingSurfaceObject& object) {
       shown && made_from && same(roll_.shown, geometry_.roll) && same_static_part(object, *made_from);
   if (same_shape && object.edits == made_from->edits && document_.animation == geometry_.animation) return;
   if (same_shape) {
-    scene::update_locals(shown->surface, object, document_.animation, roll_.shown);
-    if (tables_follow_maps(shown->surface)) geometry_.tables_uploaded = false;
+    scene::update_locals(shown->surface, object, document_.animation, roll_.shown, shown->axes);
     shown->net.reset();
   } else {
-    geometry_.figure = BlendingFigure{scene::build_surface(object, document_.animation, roll_.shown), {}};
+    geometry_.figure = BlendingFigure(scene::build_surface(object, document_.animation, roll_.shown));
     geometry_.roll = roll_.shown;
     geometry_.tables_uploaded = geometry_.hues_uploaded = false;
     floor_.half_size = 0;  // another shape needs another floor, even while it moves
@@ -307,15 +307,20 @@ void App::update_net(const scene::BSplineSurfaceObject& object) {
   const auto* made_from = std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from);
   const bool same_roll = shown && made_from && same(roll_.shown, geometry_.roll);
   if (same_roll && object == *made_from) return;
-  // Colours are mixed by the basis functions, so that they ask for knots and grid alone.
-  const bool same_grid = same_roll && object.u == made_from->u && object.v == made_from->v &&
-                         object.samples_u == made_from->samples_u && object.samples_v == made_from->samples_v;
-  geometry_.figure = NetSurfaceFigure{scene::NetFigure(object, roll_.other_u, roll_.other_v, roll_.shown), {}};
-  geometry_.tables_uploaded = false;
-  if (!same_grid) {
+  const bool same_knots = same_roll && object.u == made_from->u && object.v == made_from->v &&
+                          object.rows() == made_from->rows() && object.columns() == made_from->columns();
+  if (same_knots) {
+    shown->shown.move(object, roll_.other_u, roll_.other_v, roll_.shown);
+    shown->net.reset();
+  } else {
+    geometry_.figure = NetSurfaceFigure{scene::NetFigure(object, roll_.other_u, roll_.other_v, roll_.shown), {}};
     geometry_.hues_uploaded = false;
     floor_.half_size = 0;
   }
+  const bool same_grid =
+      same_knots && object.samples_u == made_from->samples_u && object.samples_v == made_from->samples_v;
+  if (!same_grid) geometry_.tables_uploaded = false;
+  geometry_.maps_uploaded = false;
   geometry_.roll = roll_.shown;
   geometry_.made_from = object;
   handles_.clear();
@@ -333,33 +338,19 @@ void App::upload() {
 }
 
 void App::upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurfaceObject& object) {
-  const int most = roll_.active ? rolling_samples : scene::max_samples;
-  const int samples_u = std::min(object.samples_u, most), samples_v = std::min(object.samples_v, most);
-  if (!geometry_.tables_uploaded) {
-    renderer_.upload(surface_tables(knotted_surface(figure.shown.surface), samples_u, samples_v));
-    geometry_.tables_uploaded = true;
-  }
-  if (!geometry_.hues_uploaded) {
-    const VertexColours colours = vertex_colours(figure.shown, object, samples_u, samples_v, theme_.dark);
-    renderer_.upload_colours(colours.texels, colours.columns, colours.rows);
-    geometry_.hues_uploaded = true;
-  }
+  const BSplineSurface& surface = figure.shown.surface;
+  const int rows = surface.knots_u().count(), columns = surface.knots_v().count();
+  if (!geometry_.tables_uploaded) renderer_.upload(net_tables(surface, object.samples_u, object.samples_v));
+  if (!geometry_.maps_uploaded) renderer_.upload_net(point_table(surface), rows, columns);
+  if (!geometry_.hues_uploaded) renderer_.upload_hues(net_hues(figure.shown, object, theme_.dark), rows, columns);
+  geometry_.tables_uploaded = geometry_.maps_uploaded = geometry_.hues_uploaded = true;
 }
 
 void App::upload_model(const ModelSurfaceFigure& figure, const scene::ModelSurfaceObject& object) {
-  if (!geometry_.tables_uploaded) {
+  if (!geometry_.tables_uploaded)
     renderer_.upload(surface_tables(knotted_surface(figure.shown), object.samples_u, object.samples_v));
-    geometry_.tables_uploaded = true;
-  }
-  if (geometry_.hues_uploaded) return;
-  const SampleGrid grid =
-      sample_grid(figure.shown.knots_u(), figure.shown.knots_v(), object.samples_u, object.samples_v, Seam::repeated);
-  const glm::vec3 hue = model_hue(theme_);
-  std::vector<float> texels;
-  for (std::size_t k = 0; k < grid.u.size() * grid.v.size(); ++k)
-    texels.insert(texels.end(), {hue.x, hue.y, hue.z, 0.0F});
-  renderer_.upload_colours(texels, static_cast<int>(grid.u.size()), static_cast<int>(grid.v.size()));
-  geometry_.hues_uploaded = true;
+  if (!geometry_.hues_uploaded) renderer_.upload_hues(std::array{model_hue(theme_)}, 1, 1);
+  geometry_.tables_uploaded = geometry_.hues_uploaded = true;
 }
 
 void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSurfaceObject& object) {
@@ -375,13 +366,13 @@ void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSur
     geometry_.maps_uploaded = true;
   }
   if (!geometry_.hues_uploaded) {
-    std::vector<Colour> hues;
+    std::vector<glm::vec3> hues;
     hues.reserve(static_cast<std::size_t>(counts.u) * static_cast<std::size_t>(counts.v));
     for (int i = 0; i < counts.u; ++i) {
       for (int j = 0; j < counts.v; ++j) {  // the ghost past the last local, while rolling, is local 0 again
         const auto [own_i, own_j] = surface.wrapped(i, j);
         const scene::PatchIndex patch{own_i % object.locals_u, own_j % object.locals_v};
-        hues.push_back(scene::patch_hue(scene::patch_hue_index(object, patch), theme_.dark));
+        hues.push_back(oklab(scene::patch_hue(scene::patch_hue_index(object, patch), theme_.dark)));
       }
     }
     renderer_.upload_hues(hues, counts.u, counts.v);
@@ -624,6 +615,10 @@ void App::place_picture() {
 
 void App::draw() {
   renderer_.draw(picture());
+  const ImDrawData* interface = ImGui::GetDrawData();
+  stats_.interface_draw_calls = 0;
+  for (int k = 0; k < interface->CmdListsCount; ++k)
+    stats_.interface_draw_calls += interface->CmdLists[k]->CmdBuffer.Size;
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

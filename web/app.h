@@ -19,9 +19,10 @@ namespace knotwork::web {
 
 /// What stats() of the script interface tells.
 struct AppStats {
-  std::int64_t frames = 0;  ///< since start
-  double evaluate_ms = 0;   ///< up to the last frame, since the one before: building surface, maps and tables
-  double frame_ms = 0;      ///< of the last frame: all of the main thread's work
+  std::int64_t frames = 0;       ///< since start
+  double evaluate_ms = 0;        ///< up to the last frame, since the one before: building surface, maps and tables
+  double frame_ms = 0;           ///< of the last frame: all of the main thread's work
+  int interface_draw_calls = 0;  ///< of the last frame
 };
 
 /// The program behind the stage: holds the document, hands events on, and draws frames when something has changed.
@@ -76,7 +77,7 @@ class App {
   /// What the page's live region should say.
   const std::string& notice() const { return spoken_; }
   const AppStats& stats() const { return stats_; }
-  const RendererStats& renderer_stats() const { return renderer_.stats(); }
+  RendererStats renderer_stats() const { return renderer_.stats(); }
   /// Grows whenever something that the page shows beside the stage has changed.
   double revision() const { return static_cast<double>(revision_); }
 

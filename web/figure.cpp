@@ -7,7 +7,6 @@
 
 #include "knotwork/scene/later.h"
 #include "knotwork/scene/net_roll.h"
-#include "knotwork/scene/surface_builder.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -16,7 +15,7 @@ namespace {
 // --- The blending surface ------------------------------------------------------------------------------------------
 
 Figure figure_of(const scene::BlendingSurfaceObject& object, const scene::Animation& animation) {
-  return BlendingFigure{scene::build_surface(object, animation), {}};
+  return BlendingFigure(scene::build_surface(object, animation));
 }
 
 HandleGrid grid_of(const scene::BlendingSurfaceObject& object) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,13 +18,17 @@
 #include "knotwork/scene/net_figure.h"
 #include "knotwork/scene/picking.h"
 #include "knotwork/scene/subdivision_figure.h"
+#include "knotwork/scene/surface_builder.h"
 #include "web/camera.h"
 
 namespace knotwork::web {
 
 /// The blending surface as it stands on the stage, rolling included.
 struct BlendingFigure {
+  explicit BlendingFigure(BlendingSurface made) : surface(std::move(made)), axes(scene::patch_frames(surface)) {}
+
   BlendingSurface surface;
+  std::vector<Eigen::Matrix3d> axes;  ///< the locals' own frames: what moves them does not change these
   std::optional<scene::PickNet> net;  ///< made when first asked for: it costs as much as a mesh
 };
 

@@ -73,9 +73,9 @@ Texture make_float_texture(int width, int height, std::span<const float> texels)
   return texture;
 }
 
-void update_float_texture(const Texture& texture, int width, int height, std::span<const float> texels) {
+void update_float_texture(const Texture& texture, glm::ivec2 size, std::span<const float> texels) {
   glBindTexture(GL_TEXTURE_2D, texture.get());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 DrawTarget make_draw_target(int size) {

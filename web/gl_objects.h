@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 namespace knotwork::web {
 
 /// Owns one GL name; moves, never copies. After a lost context the names are forgotten, not deleted: `abandon`.
@@ -58,8 +60,8 @@ Program make_program(const ProgramDescription& description, std::string& log);
 
 /// A texture of 32-bit floats, four a texel, read with texelFetch only. `texels` is row by row, empty to allocate.
 Texture make_float_texture(int width, int height, std::span<const float> texels);
-/// New texels for a texture of the same size.
-void update_float_texture(const Texture& texture, int width, int height, std::span<const float> texels);
+/// New texels for a texture of this size.
+void update_float_texture(const Texture& texture, glm::ivec2 size, std::span<const float> texels);
 
 /// A grey image that can be drawn into and is read with linear filtering.
 struct DrawTarget {

@@ -1,9 +1,7 @@
 #include "web/net_ornaments.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/palette.h"
 #include "web/stage_ornaments.h"
 #include "web/vectors.h"
@@ -44,16 +42,6 @@ void add_points(Picture& picture, std::span<const Handle> handles, const scene::
   }
 }
 
-/// Control points in place of the figure's: of ghosts, those of the lines that they are ghosts of.
-template <class Value>
-BSplineSurface with_points(const scene::NetFigure& figure, const Value& value) {
-  const KnotVector &u = figure.surface.knots_u(), &v = figure.surface.knots_v();
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < u.count(); ++i)
-    for (int j = 0; j < v.count(); ++j) points.push_back(value(i % figure.rows, j % figure.columns));
-  return BSplineSurface::make(u, v, std::move(points)).value();
-}
-
 }  // namespace
 
 void add_to_picture(Picture& picture, const NetSurfaceFigure& figure, const Look& look) {
@@ -80,31 +68,15 @@ void add_to_picture(Picture& picture, const NetSurfaceFigure& figure, const Look
                                      to_glm(picture.theme.ink_soft), 1.6F});
 }
 
-VertexColours vertex_colours(const scene::NetFigure& figure, const scene::BSplineSurfaceObject& object, int samples_u,
-                             int samples_v, bool dark) {
-  const auto lab = [&](int i, int j) -> Eigen::Vector3d {
-    const glm::vec3 hue = oklab(scene::patch_hue(scene::patch_hue_index(object, {i, j}), dark));
-    return {hue.x, hue.y, hue.z};
-  };
-  const BSplineSurface hues = with_points(figure, lab);
-  const BSplineSurface chromas = with_points(figure, [&](int i, int j) -> Eigen::Vector3d {
-    const Eigen::Vector3d hue = lab(i, j);
-    return {std::hypot(hue.y(), hue.z()), 0, 0};
-  });
-  const SampleGrid grid = sample_grid(hues.knots_u(), hues.knots_v(), samples_u, samples_v, Seam::repeated);
-  VertexColours colours{point_table(knotted_surface(hues), grid), static_cast<int>(grid.u.size()),
-                        static_cast<int>(grid.v.size())};
-  const std::vector<float> chroma = point_table(knotted_surface(chromas), grid);
-  for (std::size_t k = 0; k < colours.texels.size(); k += 4) {
-    // As the shader mixes the hues of a blending surface.
-    const float kept = std::hypot(colours.texels[k + 1], colours.texels[k + 2]);
-    const float x = std::clamp(kept / 0.06F, 0.0F, 1.0F);
-    const float raised = std::lerp(kept, chroma[k], 0.4F * x * x * (3 - 2 * x));
-    if (kept <= 1e-5F) continue;
-    colours.texels[k + 1] *= raised / kept;
-    colours.texels[k + 2] *= raised / kept;
+std::vector<glm::vec3> net_hues(const scene::NetFigure& figure, const scene::BSplineSurfaceObject& object, bool dark) {
+  std::vector<glm::vec3> hues;
+  hues.reserve(figure.surface.points().size());
+  for (int i = 0; i < figure.surface.knots_u().count(); ++i) {
+    for (int j = 0; j < figure.surface.knots_v().count(); ++j)
+      hues.push_back(
+          oklab(scene::patch_hue(scene::patch_hue_index(object, {i % figure.rows, j % figure.columns}), dark)));
   }
-  return colours;
+  return hues;
 }
 
 }  // namespace knotwork::web

@@ -15,14 +15,7 @@ inline std::vector<StageLabel> labels_of(const NetSurfaceFigure&, std::span<cons
   return {};
 }
 
-/// OKLab 0 of each vertex of the sampled surface.
-struct VertexColours {
-  std::vector<float> texels;
-  int columns, rows;
-};
-/// The hues of the control points mixed with the very basis functions that mix the points; the chroma that opposite hues
-/// would cancel is kept up in part.
-VertexColours vertex_colours(const scene::NetFigure& figure, const scene::BSplineSurfaceObject& object, int samples_u,
-                             int samples_v, bool dark);
+/// OKLab of the hue of each control point of the surface that stands on the stage, a ghost's that of what it is a ghost of.
+std::vector<glm::vec3> net_hues(const scene::NetFigure& figure, const scene::BSplineSurfaceObject& object, bool dark);
 
 }  // namespace knotwork::web

@@ -6,7 +6,6 @@
 #include <span>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "knotwork/mesh/surface_sampling.h"
@@ -17,30 +16,6 @@ namespace knotwork::web {
 namespace {
 
 constexpr int shadow_size = 256, soft_shadow_size = 128;
-
-/// A program with the uniform locations looked up once, by name, when asked for.
-class DrawProgram {
- public:
-  DrawProgram() = default;
-  explicit DrawProgram(Program program) : program_(std::move(program)) {}
-
-  void use() const { glUseProgram(program_.get()); }
-  void abandon() { program_.abandon(); }
-
-  GLint at(const char* name) const { return glGetUniformLocation(program_.get(), name); }
-  void set(const char* name, int value) const { glUniform1i(at(name), value); }
-  void set(const char* name, float value) const { glUniform1f(at(name), value); }
-  void set(const char* name, glm::vec2 value) const { glUniform2fv(at(name), 1, glm::value_ptr(value)); }
-  void set(const char* name, glm::vec3 value) const { glUniform3fv(at(name), 1, glm::value_ptr(value)); }
-  void set(const char* name, glm::vec4 value) const { glUniform4fv(at(name), 1, glm::value_ptr(value)); }
-  void set(const char* name, glm::ivec2 value) const { glUniform2iv(at(name), 1, glm::value_ptr(value)); }
-  void set(const char* name, const glm::mat4& value) const {
-    glUniformMatrix4fv(at(name), 1, GL_FALSE, glm::value_ptr(value));
-  }
-
- private:
-  Program program_;
-};
 
 /// Model units that a CSS pixel covers at what the camera turns about.
 float pixel_size_at_target(const Picture& picture) {
@@ -63,41 +38,21 @@ constexpr std::array<std::string_view, 1> ribbon_fragment_files{"ribbon.frag"};
 constexpr std::array<std::string_view, 1> disc_vertex_files{"disc.vert"};
 constexpr std::array<std::string_view, 1> disc_fragment_files{"disc.frag"};
 
-/// Texture units of blending.glsl's samplers, in this order.
-constexpr std::array<const char*, 7> table_samplers{"u_points",  "u_partials_u", "u_partials_v", "u_blend_u",
-                                                    "u_blend_v", "u_maps",       "u_hues"};
-
 }  // namespace
 
 struct Renderer::Resources {
   DrawProgram background, surface, sheet, shadow, blur, ground, ribbon, disc;
-  std::array<Texture, 7> tables;
-  glm::ivec2 maps_size{0}, hues_size{0};
-  bool sampled = false;  ///< the tables are those of an evaluated surface
-  int columns = 0, rows = 0;
-  glm::ivec2 steps{1};
   Buffer surface_indices, sheet_indices, instances;
   GLsizei surface_index_count = 0, sheet_index_count = 0;
+  glm::ivec2 surface_grid{0}, sheet_grid{0};  ///< vertices that the indices are of
   VertexArray surface_array, sheet_array, empty_array, ribbon_array, disc_array;
   DrawTarget shadow_image, soft_a, soft_b;
   bool shadow_stale = true;
   glm::vec4 shadow_floor{0};
 
-  void bind_tables(const DrawProgram& program) const {
-    for (std::size_t unit = 0; unit < tables.size(); ++unit) {
-      glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      // What an evaluated surface has no use for must still be a texture.
-      const bool needed = !sampled || unit < 2 || unit == 6;
-      glBindTexture(GL_TEXTURE_2D, tables[needed ? unit : 0].get());
-      program.set(table_samplers[unit], static_cast<int>(unit));
-    }
-    glActiveTexture(GL_TEXTURE0);
-    program.set("u_sampled", sampled ? 1 : 0);
-  }
-
   /// The triangles of a grid of vertices.
-  static GLsizei upload_indices(const VertexArray& array, int columns, int rows) {
-    const std::vector<std::uint32_t> triangles = grid_indices(columns, rows, false, false);
+  static GLsizei upload_indices(const VertexArray& array, glm::ivec2 grid) {
+    const std::vector<std::uint32_t> triangles = grid_indices(grid.x, grid.y, false, false);
     glBindVertexArray(array.get());
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(std::uint32_t)),
                  triangles.data(), GL_STATIC_DRAW);
@@ -170,217 +125,196 @@ void Renderer::abandon() {
   forget(gl_->background, gl_->surface, gl_->sheet, gl_->shadow, gl_->blur, gl_->ground, gl_->ribbon, gl_->disc);
   forget(gl_->surface_indices, gl_->sheet_indices, gl_->instances, gl_->surface_array, gl_->sheet_array,
          gl_->empty_array, gl_->ribbon_array, gl_->disc_array);
-  for (Texture& table : gl_->tables) table.abandon();
+  surface_.abandon();
   for (DrawTarget* target : {&gl_->shadow_image, &gl_->soft_a, &gl_->soft_b})
     forget(target->texture, target->framebuffer);
   gl_ = std::make_unique<Resources>();
 }
 
-void Renderer::upload(const BlendingTables& tables) {
-  const auto count = [this](std::size_t floats) { stats_.upload_bytes += 4.0 * static_cast<double>(floats); };
-  gl_->columns = tables.columns;
-  gl_->rows = tables.rows;
-  gl_->tables[0] = make_float_texture(tables.rows, tables.columns, tables.points);
-  gl_->tables[1] = make_float_texture(tables.rows, tables.columns, tables.partials_u);
-  gl_->tables[2] = make_float_texture(tables.rows, tables.columns, tables.partials_v);
-  gl_->tables[3] = make_float_texture(tables.columns, 1, tables.blend_u);
-  gl_->tables[4] = make_float_texture(tables.rows, 1, tables.blend_v);
-  count(3 * tables.points.size() + tables.blend_u.size() + tables.blend_v.size());
+/// With the triangles of the surface and of a local's sheet, where their grids are others than before.
+template <class Tables>
+void Renderer::upload_tables(const Tables& tables) {
+  surface_.upload(tables);
+  gl_->shadow_stale = true;
+  const auto upload = [this](const VertexArray& array, glm::ivec2 grid, glm::ivec2& known, GLsizei& count) {
+    if (known == grid) return;
+    known = grid;
+    count = Resources::upload_indices(array, grid);
+    stats_.upload_bytes += 4.0 * static_cast<double>(count);
+  };
+  upload(gl_->surface_array, {surface_.columns(), surface_.rows()}, gl_->surface_grid, gl_->surface_index_count);
+  if (surface_.has_locals())
+    upload(gl_->sheet_array, 2 * surface_.steps() + 1, gl_->sheet_grid, gl_->sheet_index_count);
+}
 
-  gl_->surface_index_count = Resources::upload_indices(gl_->surface_array, tables.columns, tables.rows);
-  gl_->steps = {tables.steps_u, tables.steps_v};
-  gl_->sheet_index_count = Resources::upload_indices(gl_->sheet_array, 2 * tables.steps_u + 1, 2 * tables.steps_v + 1);
-  count(static_cast<std::size_t>(gl_->surface_index_count) + static_cast<std::size_t>(gl_->sheet_index_count));
-  gl_->sampled = false;
+void Renderer::upload(const BlendingTables& tables) { upload_tables(tables); }
+void Renderer::upload(const NetTables& tables) { upload_tables(tables); }
+void Renderer::upload(const SurfaceTables& tables) { upload_tables(tables); }
+
+void Renderer::upload_maps(const std::vector<float>& texels, int locals_u, int locals_v) {
+  surface_.upload_maps(texels, locals_u, locals_v);
   gl_->shadow_stale = true;
 }
 
-void Renderer::upload(const SurfaceTables& tables) {
-  const bool same_grid = gl_->sampled && gl_->columns == tables.columns && gl_->rows == tables.rows;
-  const std::array<const std::vector<float>*, 2> parts{&tables.points, &tables.normals};
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (same_grid)
-      update_float_texture(gl_->tables[k], tables.rows, tables.columns, *parts[k]);
-    else
-      gl_->tables[k] = make_float_texture(tables.rows, tables.columns, *parts[k]);
-    stats_.upload_bytes += 4.0 * static_cast<double>(parts[k]->size());
-  }
-  if (!same_grid) {
-    gl_->surface_index_count = Resources::upload_indices(gl_->surface_array, tables.columns, tables.rows);
-    stats_.upload_bytes += 4.0 * static_cast<double>(gl_->surface_index_count);
-  }
-  gl_->columns = tables.columns;
-  gl_->rows = tables.rows;
-  gl_->steps = {tables.steps_u, tables.steps_v};
-  gl_->sampled = true;
+void Renderer::upload_net(const std::vector<float>& texels, int rows, int columns) {
+  surface_.upload_net(texels, rows, columns);
   gl_->shadow_stale = true;
 }
 
-void Renderer::upload_colours(const std::vector<float>& texels, int columns, int rows) {
-  gl_->tables[6] = make_float_texture(rows, columns, texels);
-  gl_->hues_size = {rows, columns};
-  stats_.upload_bytes += 4.0 * static_cast<double>(texels.size());
+void Renderer::upload_hues(std::span<const glm::vec3> hues, int rows, int columns) {
+  surface_.upload_hues(hues, rows, columns);
 }
 
-void Renderer::upload_maps(const std::vector<float>& maps, int locals_u, int locals_v) {
-  const glm::ivec2 size{3 * locals_v, locals_u};
-  if (gl_->maps_size != size) {
-    gl_->tables[5] = make_float_texture(size.x, size.y, maps);
-    gl_->maps_size = size;
-  } else {
-    update_float_texture(gl_->tables[5], size.x, size.y, maps);
-  }
-  stats_.upload_bytes += 4.0 * static_cast<double>(maps.size());
-  gl_->shadow_stale = true;
-}
-
-void Renderer::upload_hues(const std::vector<Colour>& hues, int locals_u, int locals_v) {
-  std::vector<float> texels;
-  texels.reserve(hues.size() * 4);
-  for (const Colour& hue : hues) {
-    const glm::vec3 lab = oklab(hue);
-    texels.insert(texels.end(), {lab.x, lab.y, lab.z, 0.0F});
-  }
-  gl_->tables[6] = make_float_texture(locals_v, locals_u, texels);
-  gl_->hues_size = {locals_v, locals_u};
-  stats_.upload_bytes += 4.0 * static_cast<double>(texels.size());
+RendererStats Renderer::stats() const {
+  RendererStats stats = stats_;
+  stats.upload_bytes += surface_.uploaded_bytes();
+  return stats;
 }
 
 void Renderer::draw(const Picture& picture) {
   stats_.draw_calls = 0;
   stats_.vertices = 0;
-  const View& view = picture.view;
-  const glm::mat4 view_projection(view.projection * view.view);
-  const auto ratio = static_cast<float>(view.viewport.pixel_ratio);
-  const bool uploaded = gl_->surface_index_count > 0 && (gl_->sampled || gl_->maps_size.x > 0) && gl_->hues_size.x > 0;
-  const bool drawable = picture.surface && uploaded, lit = drawable && picture.display.surface;
-  if (lit) draw_shadow(picture);
+  GlState state;
+  const Viewport& viewport = picture.view.viewport;
+  const bool drawable = picture.surface && gl_->surface_index_count > 0 && surface_.complete();
+  const bool lit = drawable && picture.display.surface;
+  if (lit) draw_shadow(state, picture);
 
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, static_cast<GLsizei>(std::lround(view.viewport.width * view.viewport.pixel_ratio)),
-             static_cast<GLsizei>(std::lround(view.viewport.height * view.viewport.pixel_ratio)));
+  state.target(0, static_cast<GLsizei>(std::lround(viewport.width * viewport.pixel_ratio)),
+               static_cast<GLsizei>(std::lround(viewport.height * viewport.pixel_ratio)));
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
+  state.depth_mask(true);
   glClear(GL_DEPTH_BUFFER_BIT);
-
-  gl_->background.use();
-  gl_->background.set("u_stage", to_glm(picture.theme.stage));
-  gl_->background.set("u_stage_edge", to_glm(picture.theme.stage_edge));
-  gl_->background.set("u_aspect", static_cast<float>(view.viewport.width / view.viewport.height));
-  const double centre_x =
-      0.5 * (view.viewport.width + view.viewport.inset_left - view.viewport.inset_right) / view.viewport.width;
-  gl_->background.set("u_centre", glm::vec2(static_cast<float>(centre_x), 0.56F));
-  glBindVertexArray(gl_->empty_array.get());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  ++stats_.draw_calls;
-
-  glEnable(GL_BLEND);
+  draw_background(state, picture);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const double above = view.eye.z - picture.floor.height;
-  if (lit && above > 0) {
-    gl_->ground.use();
-    gl_->ground.set("u_view_projection", view_projection);
-    gl_->ground.set("u_floor", gl_->shadow_floor);
-    glBindTexture(GL_TEXTURE_2D, gl_->soft_a.texture.get());
-    gl_->ground.set("u_image", 0);
-    gl_->ground.set("u_shade", picture.theme.dark ? glm::vec3(0.0F) : glm::vec3(0.24F, 0.21F, 0.17F));
-    const auto low = static_cast<float>(std::clamp(above / (0.35 * picture.floor.half_size), 0.0, 1.0));
-    gl_->ground.set("u_opacity", (picture.theme.dark ? 0.6F : 0.27F) * low);
-    glBindVertexArray(gl_->empty_array.get());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    ++stats_.draw_calls;
-  }
+  if (lit && picture.view.eye.z > picture.floor.height) draw_ground(state, picture);
 
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  if (lit) {
-    const DrawProgram& program = gl_->surface;
-    glDisable(GL_BLEND);
-    program.use();
-    gl_->bind_tables(program);
-    program.set("u_view_projection", view_projection);
-    program.set("u_rows", gl_->rows);
-    program.set("u_steps", glm::vec2(gl_->steps));
-    program.set("u_eye", glm::vec3(view.eye));
-    // The lights hang on the camera's heading, so that a turned surface is always well lit.
-    const glm::dvec3 key =
-        glm::normalize(-0.44 * view.right + 0.34 * view.up - 0.58 * view.forward + glm::dvec3(0, 0, 0.46));
-    const glm::dvec3 fill = glm::normalize(0.8 * view.right + 0.1 * view.up - 0.1 * view.forward);
-    program.set("u_key_light", glm::vec3(key));
-    program.set("u_fill_light", glm::vec3(fill));
-    program.set("u_ambient", picture.theme.dark ? 0.36F : 0.56F);
-    program.set("u_lift", picture.theme.dark ? 0.0F : 0.04F);
-    program.set("u_sheen", picture.theme.dark ? 0.62F : 1.0F);
-    program.set("u_plain_hue", oklab(picture.theme.dark ? Colour{0.62F, 0.66F, 0.71F} : Colour{0.80F, 0.79F, 0.76F}));
-    program.set("u_patch_colours", picture.display.patch_colours ? 1.0F : 0.0F);
-    program.set("u_knot_lines", picture.display.knot_lines ? (picture.theme.dark ? 0.5F : 0.42F) : 0.0F);
-    program.set("u_wireframe", picture.display.wireframe ? 0.34F : 0.0F);
-    program.set("u_line_colour", picture.theme.dark ? glm::vec3(0.05F, 0.06F, 0.07F) : glm::vec3(0.12F, 0.13F, 0.15F));
-    program.set("u_pixel_ratio", ratio);
-    program.set("u_knot_period", picture.knot_period);
-    program.set("u_held_cells", picture.support.value_or(glm::vec4(0)));
-    program.set("u_held", picture.support ? 1.0F : 0.0F);
-    program.set("u_back_shade", picture.one_sided ? 0.0F : 1.0F);
-    glBindVertexArray(gl_->surface_array.get());
-    glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
-    ++stats_.draw_calls;
-    stats_.vertices += static_cast<std::int64_t>(gl_->columns) * gl_->rows;
-  }
+  state.depth_test(true);
+  state.depth_function(GL_LEQUAL);
+  if (lit) draw_surface(state, picture);
 
-  glEnable(GL_BLEND);
-  glDepthMask(GL_FALSE);
-  if (drawable && !gl_->sampled && (picture.display.local_patches || picture.held)) draw_sheets(picture);
+  state.blend(true);
+  state.depth_mask(false);
+  if (drawable && surface_.has_locals() && (picture.display.local_patches || picture.held)) draw_sheets(state, picture);
   if (lit) {
-    glDepthFunc(GL_GREATER);
-    draw_ribbons(picture, picture.hidden_ribbons);
-    glDepthFunc(GL_LEQUAL);
+    state.depth_function(GL_GREATER);
+    draw_ribbons(state, picture, picture.hidden_ribbons);
+    state.depth_function(GL_LEQUAL);
   }
-  draw_ribbons(picture, picture.ribbons);
-  draw_overlay(picture);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_DEPTH_TEST);
+  draw_ribbons(state, picture, picture.ribbons);
+  draw_overlay(state, picture);
+  state.depth_mask(true);
+  state.depth_test(false);
   glBindVertexArray(0);
+  stats_.state_changes = state.changes();
 }
 
-void Renderer::draw_shadow(const Picture& picture) {
+void Renderer::draw_background(GlState& state, const Picture& picture) {
+  const Viewport& viewport = picture.view.viewport;
+  const DrawProgram& program = gl_->background;
+  state.blend(false);
+  state.depth_test(false);
+  state.use(program);
+  program.set("u_stage", to_glm(picture.theme.stage));
+  program.set("u_stage_edge", to_glm(picture.theme.stage_edge));
+  program.set("u_aspect", static_cast<float>(viewport.width / viewport.height));
+  const double centre_x = 0.5 * (viewport.width + viewport.inset_left - viewport.inset_right) / viewport.width;
+  program.set("u_centre", glm::vec2(static_cast<float>(centre_x), 0.56F));
+  state.bind(gl_->empty_array);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  ++stats_.draw_calls;
+}
+
+/// The shadow on the floor, the fainter the flatter one looks at it.
+void Renderer::draw_ground(GlState& state, const Picture& picture) {
+  const DrawProgram& program = gl_->ground;
+  const double above = picture.view.eye.z - picture.floor.height;
+  state.blend(true);
+  state.use(program);
+  program.set("u_view_projection", glm::mat4(picture.view.projection * picture.view.view));
+  program.set("u_floor", gl_->shadow_floor);
+  state.bind(0, gl_->soft_a.texture);
+  program.set("u_image", 0);
+  program.set("u_shade", picture.theme.dark ? glm::vec3(0.0F) : glm::vec3(0.24F, 0.21F, 0.17F));
+  const auto low = static_cast<float>(std::clamp(above / (0.35 * picture.floor.half_size), 0.0, 1.0));
+  program.set("u_opacity", (picture.theme.dark ? 0.6F : 0.27F) * low);
+  state.bind(gl_->empty_array);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  ++stats_.draw_calls;
+}
+
+void Renderer::draw_surface(GlState& state, const Picture& picture) {
+  const View& view = picture.view;
+  const DrawProgram& program = gl_->surface;
+  const bool dark = picture.theme.dark;
+  state.blend(false);
+  state.use(program);
+  surface_.bind(state, program);
+  program.set("u_view_projection", glm::mat4(view.projection * view.view));
+  program.set("u_rows", surface_.rows());
+  program.set("u_steps", glm::vec2(surface_.steps()));
+  program.set("u_eye", glm::vec3(view.eye));
+  // The lights hang on the camera's heading, so that a turned surface is always well lit.
+  const glm::dvec3 key =
+      glm::normalize(-0.44 * view.right + 0.34 * view.up - 0.58 * view.forward + glm::dvec3(0, 0, 0.46));
+  const glm::dvec3 fill = glm::normalize(0.8 * view.right + 0.1 * view.up - 0.1 * view.forward);
+  program.set("u_key_light", glm::vec3(key));
+  program.set("u_fill_light", glm::vec3(fill));
+  program.set("u_ambient", dark ? 0.36F : 0.56F);
+  program.set("u_lift", dark ? 0.0F : 0.04F);
+  program.set("u_sheen", dark ? 0.62F : 1.0F);
+  program.set("u_plain_hue", oklab(dark ? Colour{0.62F, 0.66F, 0.71F} : Colour{0.80F, 0.79F, 0.76F}));
+  program.set("u_patch_colours", picture.display.patch_colours ? 1.0F : 0.0F);
+  program.set("u_knot_lines", picture.display.knot_lines ? (dark ? 0.5F : 0.42F) : 0.0F);
+  program.set("u_wireframe", picture.display.wireframe ? 0.34F : 0.0F);
+  program.set("u_line_colour", dark ? glm::vec3(0.05F, 0.06F, 0.07F) : glm::vec3(0.12F, 0.13F, 0.15F));
+  program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
+  program.set("u_knot_period", picture.knot_period);
+  program.set("u_held_cells", picture.support.value_or(glm::vec4(0)));
+  program.set("u_held", picture.support ? 1.0F : 0.0F);
+  program.set("u_back_shade", picture.one_sided ? 0.0F : 1.0F);
+  state.bind(gl_->surface_array);
+  glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
+  ++stats_.draw_calls;
+  stats_.vertices += static_cast<std::int64_t>(surface_.columns()) * surface_.rows();
+}
+
+void Renderer::draw_shadow(GlState& state, const Picture& picture) {
   const glm::vec4 floor(picture.floor.x, picture.floor.y, picture.floor.half_size, picture.floor.height);
   if (!gl_->shadow_stale && floor == gl_->shadow_floor) return;
   gl_->shadow_stale = false;
   gl_->shadow_floor = floor;
 
-  glBindFramebuffer(GL_FRAMEBUFFER, gl_->shadow_image.framebuffer.get());
-  glViewport(0, 0, shadow_size, shadow_size);
+  state.target(gl_->shadow_image.framebuffer.get(), shadow_size, shadow_size);
   glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
+  state.depth_test(false);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_MAX);
-  gl_->shadow.use();
-  gl_->bind_tables(gl_->shadow);
-  gl_->shadow.set("u_rows", gl_->rows);
-  gl_->shadow.set("u_floor", floor);
-  gl_->shadow.set("u_slant", glm::vec2(0.0F, 0.0F));
-  gl_->shadow.set("u_fall_off", 1.1F / static_cast<float>(picture.floor.half_size) * 2.0F);
-  glBindVertexArray(gl_->surface_array.get());
+  state.blend(true);
+  state.blend_equation(GL_MAX);
+  const DrawProgram& program = gl_->shadow;
+  state.use(program);
+  surface_.bind(state, program);
+  program.set("u_rows", surface_.rows());
+  program.set("u_floor", floor);
+  program.set("u_slant", glm::vec2(0.0F, 0.0F));
+  program.set("u_fall_off", 1.1F / static_cast<float>(picture.floor.half_size) * 2.0F);
+  state.bind(gl_->surface_array);
   glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
-  glBlendEquation(GL_FUNC_ADD);
-  glDisable(GL_BLEND);
+  state.blend_equation(GL_FUNC_ADD);
+  state.blend(false);
 
-  gl_->blur.use();
+  state.use(gl_->blur);
   gl_->blur.set("u_image", 0);
-  glBindVertexArray(gl_->empty_array.get());
-  glViewport(0, 0, soft_shadow_size, soft_shadow_size);
+  state.bind(gl_->empty_array);
   const Texture* source = &gl_->shadow_image.texture;
   constexpr float reach = 1.4F / static_cast<float>(soft_shadow_size);
   for (int pass = 0; pass < 4; ++pass) {
     const DrawTarget& target = pass % 2 == 0 ? gl_->soft_b : gl_->soft_a;
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
-    glBindTexture(GL_TEXTURE_2D, source->get());
+    state.target(target.framebuffer.get(), soft_shadow_size, soft_shadow_size);
+    state.bind(0, *source);
     const float step = pass < 2 ? reach : 2.2F * reach;
     gl_->blur.set("u_step", pass % 2 == 0 ? glm::vec2(step, 0.0F) : glm::vec2(0.0F, step));
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -389,35 +323,36 @@ void Renderer::draw_shadow(const Picture& picture) {
   stats_.draw_calls += 5;
 }
 
-void Renderer::draw_sheets(const Picture& picture) {
+void Renderer::draw_sheets(GlState& state, const Picture& picture) {
   const DrawProgram& program = gl_->sheet;
   const View& view = picture.view;
-  program.use();
-  gl_->bind_tables(program);
+  state.use(program);
+  surface_.bind(state, program);
   program.set("u_view_projection", glm::mat4(view.projection * view.view));
-  program.set("u_steps", gl_->steps);
-  const glm::ivec2 last{gl_->columns - 1, gl_->rows - 1};
+  program.set("u_steps", surface_.steps());
+  const glm::ivec2 last{surface_.columns() - 1, surface_.rows() - 1};
   program.set("u_last", last);
   program.set("u_locals", glm::ivec2(picture.locals_u, picture.locals_v));
   program.set("u_closed", glm::ivec2(picture.closed_u ? 1 : 0, picture.closed_v ? 1 : 0));
-  program.set("u_mirror", picture.mirror * gl_->steps);
+  program.set("u_period", picture.period);
+  program.set("u_mirror", picture.mirror * surface_.steps());
   program.set("u_eye", glm::vec3(view.eye));
   program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
   program.set("u_pixel_size", pixel_size_at_target(picture));
   const bool all = picture.display.local_patches;
   program.set("u_opacity", all ? 0.34F : 0.22F);
   program.set("u_only", all || !picture.held ? glm::ivec2(-1) : glm::ivec2(picture.held->first, picture.held->second));
-  glBindVertexArray(gl_->sheet_array.get());
+  state.bind(gl_->sheet_array);
   const int instances = all ? picture.locals_u * picture.locals_v : 1;
   glDrawElementsInstanced(GL_TRIANGLES, gl_->sheet_index_count, GL_UNSIGNED_INT, nullptr, instances);
   ++stats_.draw_calls;
-  stats_.vertices += static_cast<std::int64_t>(2 * gl_->steps.x + 1) * (2 * gl_->steps.y + 1) * instances;
+  stats_.vertices += static_cast<std::int64_t>(gl_->sheet_grid.x) * gl_->sheet_grid.y * instances;
 }
 
-void Renderer::draw_ribbons(const Picture& picture, const std::vector<Ribbon>& ribbons) {
+void Renderer::draw_ribbons(GlState& state, const Picture& picture, const std::vector<Ribbon>& ribbons) {
   if (ribbons.empty()) return;
   const View& view = picture.view;
-  gl_->ribbon.use();
+  state.use(gl_->ribbon);
   gl_->ribbon.set("u_view_projection", glm::mat4(view.projection * view.view));
   gl_->ribbon.set("u_viewport", glm::vec2(view.viewport.width, view.viewport.height));
   gl_->ribbon.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
@@ -425,17 +360,17 @@ void Renderer::draw_ribbons(const Picture& picture, const std::vector<Ribbon>& r
   glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ribbons.size() * sizeof(Ribbon)), ribbons.data(),
                GL_STREAM_DRAW);
-  glBindVertexArray(gl_->ribbon_array.get());
+  state.bind(gl_->ribbon_array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ribbons.size()));
   ++stats_.draw_calls;
   stats_.vertices += static_cast<std::int64_t>(4 * ribbons.size());
   stats_.upload_bytes += static_cast<double>(ribbons.size() * sizeof(Ribbon));
 }
 
-void Renderer::draw_discs(const Picture& picture, const std::vector<Disc>& discs, float opacity) {
+void Renderer::draw_discs(GlState& state, const Picture& picture, const std::vector<Disc>& discs, float opacity) {
   if (discs.empty()) return;
   const View& view = picture.view;
-  gl_->disc.use();
+  state.use(gl_->disc);
   gl_->disc.set("u_view_projection", glm::mat4(view.projection * view.view));
   gl_->disc.set("u_viewport", glm::vec2(view.viewport.width, view.viewport.height));
   gl_->disc.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
@@ -444,21 +379,21 @@ void Renderer::draw_discs(const Picture& picture, const std::vector<Disc>& discs
   gl_->disc.set("u_opacity", opacity);
   glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(), GL_STREAM_DRAW);
-  glBindVertexArray(gl_->disc_array.get());
+  state.bind(gl_->disc_array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(discs.size()));
   ++stats_.draw_calls;
   stats_.vertices += static_cast<std::int64_t>(4 * discs.size());
   stats_.upload_bytes += static_cast<double>(discs.size() * sizeof(Disc));
 }
 
-void Renderer::draw_overlay(const Picture& picture) {
-  glDepthFunc(GL_GREATER);  // what the surface hides is hinted at, not lost
-  draw_discs(picture, picture.discs, 0.26F);
-  glDepthFunc(GL_LEQUAL);
-  draw_discs(picture, picture.discs, 1.0F);
-  glDisable(GL_DEPTH_TEST);  // the gizmo is a tool, not a thing on the stage
-  draw_ribbons(picture, picture.overlay_ribbons);
-  draw_discs(picture, picture.overlay_discs, 1.0F);
+void Renderer::draw_overlay(GlState& state, const Picture& picture) {
+  state.depth_function(GL_GREATER);  // what the surface hides is hinted at, not lost
+  draw_discs(state, picture, picture.discs, 0.26F);
+  state.depth_function(GL_LEQUAL);
+  draw_discs(state, picture, picture.discs, 1.0F);
+  state.depth_test(false);  // the gizmo is a tool, not a thing on the stage
+  draw_ribbons(state, picture, picture.overlay_ribbons);
+  draw_discs(state, picture, picture.overlay_discs, 1.0F);
 }
 
 }  // namespace knotwork::web

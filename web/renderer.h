@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "knotwork/mesh/blending_tables.h"
-#include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/document.h"
 #include "web/camera.h"
+#include "web/surface_textures.h"
 #include "web/theme.h"
 
 namespace knotwork::web {
@@ -45,6 +44,7 @@ struct Picture {
   Floor floor;
   int locals_u = 1, locals_v = 1;           ///< of the maps uploaded last
   bool closed_u = false, closed_v = false;  ///< wraps on the stage
+  glm::vec2 period{0};                      ///< of the parameters in closed directions
   /// Local k of u becomes mirror.x - k where v goes round a twisted seam, of v mirror.y - k where u does; -1: no twist.
   glm::ivec2 mirror{-1};
   std::optional<scene::PatchIndex> held;  ///< its own sheet is shown
@@ -58,9 +58,10 @@ struct Picture {
   std::vector<Disc> discs, overlay_discs;
 };
 
-/// Counted over a frame (draw calls, vertices) and since start (bytes).
+/// Counted over a frame (draw calls, state changes, vertices; without the interface's) and since start (bytes).
 struct RendererStats {
   int draw_calls = 0;
+  int state_changes = 0;  ///< of program, vertex array, texture, target, blending and depth
   std::int64_t vertices = 0;
   double upload_bytes = 0;
 };
@@ -78,30 +79,33 @@ class Renderer {
   /// The context is gone: forgets every GL name without touching GL.
   void abandon();
 
-  /// New topology, resolution or model: the static part and its indices.
+  // What SurfaceTextures has, with the indices of the grid.
   void upload(const BlendingTables& tables);
-  /// A surface of another kind, evaluated on the CPU: its points and normals, in place of the blending surface's tables.
+  void upload(const NetTables& tables);
   void upload(const SurfaceTables& tables);
-  /// Its colours, OKLab 0 a vertex.
-  void upload_colours(const std::vector<float>& texels, int columns, int rows);
-  /// The moving part: 12 floats a local.
-  void upload_maps(const std::vector<float>& maps, int locals_u, int locals_v);
-  /// OKLab of each local's hue, from sRGB colours.
-  void upload_hues(const std::vector<Colour>& hues, int locals_u, int locals_v);
+  void upload_maps(const std::vector<float>& texels, int locals_u, int locals_v);
+  void upload_net(const std::vector<float>& texels, int rows, int columns);
+  void upload_hues(std::span<const glm::vec3> hues, int rows, int columns);
 
   /// Begins the frame's counts and draws the picture over the whole canvas.
   void draw(const Picture& picture);
-  const RendererStats& stats() const { return stats_; }
+  RendererStats stats() const;
 
  private:
   struct Resources;
-  void draw_shadow(const Picture& picture);
-  void draw_ribbons(const Picture& picture, const std::vector<Ribbon>& ribbons);
-  void draw_discs(const Picture& picture, const std::vector<Disc>& discs, float opacity);
-  void draw_sheets(const Picture& picture);
-  void draw_overlay(const Picture& picture);
+  template <class Tables>
+  void upload_tables(const Tables& tables);
+  void draw_background(GlState& state, const Picture& picture);
+  void draw_shadow(GlState& state, const Picture& picture);
+  void draw_ground(GlState& state, const Picture& picture);
+  void draw_surface(GlState& state, const Picture& picture);
+  void draw_ribbons(GlState& state, const Picture& picture, const std::vector<Ribbon>& ribbons);
+  void draw_discs(GlState& state, const Picture& picture, const std::vector<Disc>& discs, float opacity);
+  void draw_sheets(GlState& state, const Picture& picture);
+  void draw_overlay(GlState& state, const Picture& picture);
 
   std::unique_ptr<Resources> gl_;
+  SurfaceTextures surface_;
   RendererStats stats_;
 };
 

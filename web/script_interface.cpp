@@ -244,9 +244,11 @@ std::string answer_redo(App& app) { return answer(Json(app.redo())); }
 std::string answer_stats(const App& app) {
   Json json = Json::object();
   json["frames"] = app.stats().frames;
-  json["drawCalls"] = app.renderer_stats().draw_calls;
-  json["vertices"] = app.renderer_stats().vertices;
-  json["uploadBytes"] = app.renderer_stats().upload_bytes;
+  const RendererStats drawn = app.renderer_stats();
+  json["drawCalls"] = drawn.draw_calls + app.stats().interface_draw_calls;
+  json["stateChanges"] = drawn.state_changes;
+  json["vertices"] = drawn.vertices;
+  json["uploadBytes"] = drawn.upload_bytes;
   json["evaluateMs"] = app.stats().evaluate_ms;
   json["frameMs"] = app.stats().frame_ms;
   return answer(std::move(json));

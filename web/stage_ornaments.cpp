@@ -142,6 +142,7 @@ void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& 
   picture.mirror = {surface.twist_v() ? surface.twist_v()->mirror : -1,
                     surface.twist_u() ? surface.twist_u()->mirror : -1};
   picture.closed_v = surface.knots_v().closed();
+  picture.period = {static_cast<float>(surface.knots_u().period()), static_cast<float>(surface.knots_v().period())};
   picture.held = look.state.selected;
   picture.knot_period = {picture.closed_u ? static_cast<float>(picture.locals_u) : 0.0F,
                          picture.closed_v ? static_cast<float>(picture.locals_v) : 0.0F};

@@ -42,7 +42,8 @@ set(KNOTWORK_WEB_APP_SOURCES
   script_interface.cpp
   stage_ornaments.cpp
   subdivision_ornaments.cpp
-  subdivision_panel.cpp)
+  subdivision_panel.cpp
+  surface_textures.cpp)
 
 set(KNOTWORK_SHADERS
   shaders/background.frag

@@ -42,6 +42,9 @@ function(knotwork_webassembly target)
   if(EMSCRIPTEN)
     target_compile_options(${target} PRIVATE -msimd128 -mnontrapping-fptoint -msign-ext -mbulk-memory
                                              $<$<CONFIG:Release>:-flto>)
+    # Where small code is asked for, the compiler leaves even Eigen's access to a coefficient a call: inlined, the page's
+    # geometry is three times as fast, for a hundredth of the module.
+    target_compile_definitions(${target} PRIVATE EIGEN_STRONG_INLINE=EIGEN_ALWAYS_INLINE)
   endif()
 endfunction()
 

@@ -48,7 +48,7 @@ export async function makeFonts(directory: string, pageText: string, mathematics
   const faces: Face[] = [
     {
       family: 'Source Serif 4 Variable', file: 'serif.woff2', source: `${serif}-normal.woff2`, text, weight: '400 650',
-      axes: { wght: { min: 400, max: 650 }, opsz: { min: 14, max: 48 } }, features: textFeatures,
+      axes: { wght: { min: 400, max: 650 }, opsz: 20 }, features: textFeatures,
     },
     {
       family: 'Source Serif 4 Variable', file: 'serif-italic.woff2', source: `${serif}-italic.woff2`, text,

@@ -67,7 +67,10 @@ export interface SurfaceJet {
 /// `frames` and `uploadBytes` are counted since the start, the others are those of the last frame.
 export interface Stats {
   readonly frames: number;
+  /// The interface's included.
   readonly drawCalls: number;
+  /// Of program, textures, targets, blending and depth; without the interface's.
+  readonly stateChanges: number;
   readonly vertices: number;
   readonly uploadBytes: number;
   readonly evaluateMs: number;

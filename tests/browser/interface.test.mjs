@@ -329,7 +329,7 @@ pageTest('chapters() lists the chapters, and open() brings back their start', { 
 pageTest('stats() counts frames and bytes, and tells of the last frame', { drawn: true }, async (page) => {
   await settled(page);
   const before = await statsOf(page);
-  const names = ['frames', 'drawCalls', 'vertices', 'uploadBytes', 'evaluateMs', 'frameMs'];
+  const names = ['frames', 'drawCalls', 'stateChanges', 'vertices', 'uploadBytes', 'evaluateMs', 'frameMs'];
   for (const name of names) assert.ok(Number.isFinite(before[name]) && before[name] >= 0, `stats().${name}`);
   assert.ok(before.frames > 0 && before.drawCalls > 0 && before.vertices > 0 && before.uploadBytes > 0);
 

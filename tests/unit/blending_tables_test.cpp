@@ -25,12 +25,55 @@ BlendingSurface moved_surface(Topology topology_u, Topology topology_v) {
   return surface;
 }
 
-/// What the vertex shader does, in float32: the blend of four maps times the model point and its partials.
+/// What the vertex shader does, in float32.
 struct ShaderVertex {
   Eigen::Vector3f s, su, sv;
 };
+
+/// Bezier-Hermite locals: the four polynomials, each under its map, summed with the product rule.
+ShaderVertex shade_polynomials(const BlendingTables& tables, const std::vector<float>& maps, int columns, std::size_t a,
+                               std::size_t b) {
+  const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
+  const float* at_u = &tables.blend_u[4 * (a + static_cast<std::size_t>(tables.columns))];
+  const float* at_v = &tables.blend_v[4 * (b + static_cast<std::size_t>(tables.rows))];
+  ShaderVertex sum{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t l = 0; l < 2; ++l) {
+      const int i = static_cast<int>(bu[2 + k]), j = static_cast<int>(bv[2 + l]);
+      const float x = at_u[k], y = at_v[l];
+      Eigen::Vector3f f = Eigen::Vector3f::Zero(), fu = f, fv = f;
+      float x_power = 1, x_slope = 0;
+      for (int p = 0; p <= tables.degree_u; ++p) {
+        float y_power = 1, y_slope = 0;
+        for (int q = 0; q <= tables.degree_v; ++q) {
+          const int texel = ((i * (tables.degree_u + 1) + p) * columns + j) * (tables.degree_v + 1) + q;
+          const Eigen::Vector3f c(&tables.coefficients[4 * static_cast<std::size_t>(texel)]);
+          f += x_power * y_power * c;
+          fu += x_slope * y_power * c;
+          fv += x_power * y_slope * c;
+          y_slope = y_slope * y + y_power;
+          y_power *= y;
+        }
+        x_slope = x_slope * x + x_power;
+        x_power *= x;
+      }
+      using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
+      const Map map(&maps[12 * static_cast<std::size_t>(i * columns + j)]);
+      const float wu = k == 0 ? 1 - bu[0] : bu[0], wv = l == 0 ? 1 - bv[0] : bv[0];
+      const float wu_slope = k == 0 ? -bu[1] : bu[1], wv_slope = l == 0 ? -bv[1] : bv[1];
+      const Eigen::Vector3f s = map.leftCols<3>() * f + map.col(3);
+      sum.s += wu * wv * s;
+      sum.su += wv * (wu_slope * s + wu * map.leftCols<3>() * fu);
+      sum.sv += wu * (wv_slope * s + wv * map.leftCols<3>() * fv);
+    }
+  }
+  return sum;
+}
+
+/// Sub-surfaces: the blend of four maps times the model point and its partials.
 ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps, int columns, std::size_t a,
                    std::size_t b) {
+  if (tables.degree_u >= 0) return shade_polynomials(tables, maps, columns, a, b);
   const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
   const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.rows) + b);
   using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
@@ -58,8 +101,8 @@ TEST_CASE("the shader's arithmetic on the tables gives the surface to float prec
       REQUIRE(maps.size() == 12 * 12);
       REQUIRE(tables.u.size() == static_cast<std::size_t>(tables.columns));
       REQUIRE(tables.v.size() == static_cast<std::size_t>(tables.rows));
-      REQUIRE(tables.blend_u.size() == 4 * tables.u.size());
-      REQUIRE(tables.blend_v.size() == 4 * tables.v.size());
+      REQUIRE(tables.blend_u.size() == 8 * tables.u.size());
+      REQUIRE(tables.blend_v.size() == 8 * tables.v.size());
       REQUIRE(tables.points.size() == 4 * tables.u.size() * tables.v.size());
       CHECK(tables.u.back() == surface.knots_u().end());
       CHECK(tables.v.back() == surface.knots_v().end());
@@ -107,7 +150,7 @@ TEST_CASE("the shader's arithmetic over twisted seams: the model's point is shar
       const MapCounts counts = map_counts(surface);
       CHECK(counts.u == row.maps_u);
       CHECK(counts.v == row.maps_v);
-      CHECK(tables_follow_maps(surface) == (kind == LocalSurfaceKind::bezier_hermite));
+      CHECK(tables.points.empty() == (kind == LocalSurfaceKind::bezier_hermite));
       const std::vector<float> maps = map_table(surface);
       REQUIRE(maps.size() == static_cast<std::size_t>(12 * counts.u * counts.v));
       for (std::size_t a = 0; a < tables.u.size(); ++a) {

@@ -25,6 +25,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/mixed_partials_test.cpp
   unit/model_surface_test.cpp
   unit/moving_frame_test.cpp
+  unit/net_tables_test.cpp
   unit/oracle_test.cpp
   unit/parameterization_test.cpp
   unit/parametric_curve_test.cpp

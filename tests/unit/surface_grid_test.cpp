@@ -170,6 +170,7 @@ TEST_CASE("a blending surface's grid selects a local exactly at its centre") {
   const BlendingSurface surface =
       moved(unmoved(model, knots, knots, BlendingFunction::make(BlendingKind::polynomial2).value()), 7);
   std::vector<double> centres;
+  centres.reserve(5);
   for (int k = 0; k < 5; ++k) centres.push_back(knots[k + 1]);
   std::vector<SurfaceFrame> frames(25);
   surface.evaluate_grid(centres, centres, std::span(frames));

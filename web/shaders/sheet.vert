@@ -4,6 +4,7 @@ uniform ivec2 u_steps;
 uniform ivec2 u_last;          // last grid column and row
 uniform ivec2 u_locals;        // locals to draw: n_u, n_v
 uniform ivec2 u_closed;        // 1 where the direction wraps
+uniform vec2 u_period;         // of a direction that wraps
 uniform ivec2 u_mirror;        // where a twisted seam reflects column x to u_mirror.x - x, row y likewise; negative: no twist
 uniform float u_pixel_size;    // model units a CSS pixel covers at the target
 uniform ivec2 u_only;          // the one local to draw, or (-1, -1)
@@ -22,6 +23,14 @@ int grid_position(int centre, int offset, int last, int closed) {
   return clamp(position, 0, last);
 }
 
+// The parameter at a grid position, seen from that of the local's centre.
+float from_centre(highp sampler2D blend, int centre, int offset, int last, int closed, float period) {
+  int position = centre + offset;
+  float turns = closed == 1 ? floor(float(position) / float(last)) : 0.0;
+  float t = texelFetch(blend, ivec2(grid_position(centre, offset, last, closed), 1), 0).z + turns * period;
+  return t - texelFetch(blend, ivec2(centre, 1), 0).z;
+}
+
 void main() {
   ivec2 local = u_only.x >= 0 ? u_only : ivec2(gl_InstanceID / u_locals.y, gl_InstanceID % u_locals.y);
   ivec2 size = 2 * u_steps + 1;
@@ -34,11 +43,19 @@ void main() {
   bvec2 mirrored = bvec2(beyond.y && u_mirror.x >= 0, beyond.x && u_mirror.y >= 0);
   if (mirrored.x) vertex.x = grid_position(u_mirror.x, -vertex.x, u_last.x, u_closed.x);
   if (mirrored.y) vertex.y = grid_position(u_mirror.y, -vertex.y, u_last.y, u_closed.y);
-  mat3x4 map = map_of(local);
-  v_point = vec4(model_point(vertex), 1.0) * map;
-  vec3 su = vec4(texelFetch(u_partials_u, vertex.yx, 0).xyz, 0.0) * map;
-  vec3 sv = vec4(texelFetch(u_partials_v, vertex.yx, 0).xyz, 0.0) * map;
-  v_normal = any(mirrored) ? cross(sv, su) : cross(su, sv);
+  if (u_kind == 1) {
+    SurfacePartials s =
+        polynomial_local(local, vec2(from_centre(u_blend_u, centre.x, offset.x, u_last.x, u_closed.x, u_period.x),
+                                     from_centre(u_blend_v, centre.y, offset.y, u_last.y, u_closed.y, u_period.y)));
+    v_point = s.point;
+    v_normal = cross(s.u, s.v);
+  } else {
+    mat3x4 map = map_of(local);
+    v_point = vec4(model_point(vertex), 1.0) * map;
+    vec3 su = vec4(texelFetch(u_partials_u, vertex.yx, 0).xyz, 0.0) * map;
+    vec3 sv = vec4(texelFetch(u_partials_v, vertex.yx, 0).xyz, 0.0) * map;
+    v_normal = any(mirrored) ? cross(sv, su) : cross(su, sv);
+  }
   v_hue = texelFetch(u_hues, local.yx, 0).xyz;
   v_support = vec2(offset) / vec2(u_steps);
   if (u_closed.x == 0) v_support.x = vertex.x == 0 || vertex.x == u_last.x ? sign(v_support.x + 1e-6) : v_support.x;

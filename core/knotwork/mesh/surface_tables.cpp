@@ -34,15 +34,4 @@ SurfaceTables surface_tables(const KnottedSurface& surface, int samples_u, int s
   return tables;
 }
 
-std::vector<float> point_table(const KnottedSurface& surface, const SampleGrid& grid) {
-  std::vector<float> table;
-  table.reserve(4 * grid.u.size() * grid.v.size());
-  std::vector<SurfaceJet> jets(grid.v.size());
-  for (const double& u : grid.u) {
-    surface.evaluate_grid({&u, 1}, grid.v, jets);
-    for (const SurfaceJet& jet : jets) append_texel(table, jet.s);
-  }
-  return table;
-}
-
 }  // namespace knotwork

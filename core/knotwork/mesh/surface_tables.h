@@ -18,7 +18,4 @@ struct SurfaceTables {
 };
 SurfaceTables surface_tables(const KnottedSurface& surface, int samples_u, int samples_v);
 
-/// Four floats a vertex, x y z 0 of the surface on the same grid: for colours that are mixed as points are.
-std::vector<float> point_table(const KnottedSurface& surface, const SampleGrid& grid);
-
 }  // namespace knotwork

@@ -47,4 +47,9 @@ NetFigure::NetFigure(const BSplineSurfaceObject& object, const SplineDirection& 
       basis_u(basis_figure(object.u, object.rows())),
       basis_v(basis_figure(object.v, object.columns())) {}
 
+void NetFigure::move(const BSplineSurfaceObject& object, const SplineDirection& other_u, const SplineDirection& other_v,
+                     Roll roll) {
+  surface = rolled_net(object, other_u, other_v, roll);
+}
+
 }  // namespace knotwork::scene

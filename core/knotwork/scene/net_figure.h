@@ -28,6 +28,10 @@ struct NetFigure {
   NetFigure(const BSplineSurfaceObject& object, const SplineDirection& other_u, const SplineDirection& other_v,
             Roll roll);
 
+  /// The same with other points; knots and counts have not changed, nor has the roll.
+  void move(const BSplineSurfaceObject& object, const SplineDirection& other_u, const SplineDirection& other_v,
+            Roll roll);
+
   BSplineSurface surface;
   int rows, columns;             ///< of the net; while a direction rolls, the surface has ghosts of its first lines too
   CurveFigure basis_u, basis_v;  ///< of the object at rest

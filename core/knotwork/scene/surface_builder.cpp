@@ -1,6 +1,7 @@
 #include "knotwork/scene/surface_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "knotwork/surface/surface_measures.h"
@@ -54,9 +55,16 @@ struct Pose {
   PatchMotion motion;
 };
 
-Pose pose(const BlendingSurfaceObject& object, const Animation& animation, PatchIndex patch) {
+/// Motions alternate like the fields of a chessboard.
+using Motions = std::array<PatchMotion, 2>;
+Motions motions(const Animation& animation) {
+  return {patch_motion(animation, {0, 0}), patch_motion(animation, {0, 1})};
+}
+
+Pose pose(const BlendingSurfaceObject& object, const Motions& motions, PatchIndex patch) {
   const auto found = object.edits.find(patch);
-  return {found == object.edits.end() ? PatchEdit{} : found->second, patch_motion(animation, patch)};
+  return {found == object.edits.end() ? PatchEdit{} : found->second,
+          motions[static_cast<std::size_t>((patch.first + patch.second) % 2)]};
 }
 
 Eigen::Vector3d mixed(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double share) {
@@ -79,11 +87,6 @@ DirectionSummary summary(const KnotVector& knots) {
   const int first = knots.degree(), last = knots.last_span() + 1;
   return {knots.topology(),       knots.start(), knots.end(), first, last, {knots.knots().begin(), knots.knots().end()},
           knots.interval_count(), knots.count()};
-}
-
-SurfaceJet centre_jet(const BlendingSurface& surface, PatchIndex patch) {
-  const Eigen::Vector2d centre = surface.centre(patch.first, patch.second);
-  return evaluate(surface.model(), centre.x(), centre.y());
 }
 
 }  // namespace
@@ -115,37 +118,47 @@ BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animati
   Result<BlendingSurface> surface =
       BlendingSurface::make(model, knots_u, knots_v, BlendingFunction::make(object.blending, parameter).value(),
                             BlendingSurface::unmoved_locals(model, knots_u, knots_v), object.patches);
-  update_locals(surface.value(), object, animation, roll);
+  update_locals(surface.value(), object, animation, roll, patch_frames(surface.value()));
   return std::move(surface).value();
 }
 
-void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation,
-                   Roll roll) {
+void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation, Roll roll,
+                   std::span<const Eigen::Matrix3d> axes) {
   const Direction u = direction(object.locals_u, roll.u), v = direction(object.locals_v, roll.v);
   assert(surface.knots_u().count() == u.rows() && surface.knots_v().count() == v.rows());
 
+  const Motions clock = motions(animation);
   const auto pose_in_row = [&](int i, int j) {
-    if (j < v.count) return pose(object, animation, {i, j});
-    return mixed(pose(object, animation, {i, v.count - 1}), pose(object, animation, {i, 0}), v.roll);
+    if (j < v.count) return pose(object, clock, {i, j});
+    return mixed(pose(object, clock, {i, v.count - 1}), pose(object, clock, {i, 0}), v.roll);
   };
   for (int i = 0; i < u.rows(); ++i) {
     for (int j = 0; j < v.rows(); ++j) {
       const Pose here = i < u.count ? pose_in_row(i, j) : mixed(pose_in_row(u.count - 1, j), pose_in_row(0, j), u.roll);
-      const SurfaceJet centre = centre_jet(surface, {i, j});
-      surface.set_local(i, j, local_map({centre.s, tangent_frame(centre), here.edit, here.motion}));
+      const Eigen::Matrix3d& own = axes[static_cast<std::size_t>(i * v.rows() + j)];
+      surface.set_local(i, j, local_map({surface.centre_jet(i, j).s, own, here.edit, here.motion}));
     }
   }
 }
 
 LocalFrame local_frame(const BlendingSurfaceObject& object, const Animation& animation, const BlendingSurface& surface,
                        PatchIndex patch) {
-  const SurfaceJet centre = centre_jet(surface, patch);
-  const Pose here = pose(object, animation, patch);
+  const SurfaceJet& centre = surface.centre_jet(patch.first, patch.second);
+  const Pose here = pose(object, motions(animation), patch);
   return {centre.s, tangent_frame(centre), here.edit, here.motion};
 }
 
 Eigen::Matrix3d patch_frame(const BlendingSurface& surface, PatchIndex patch) {
-  return tangent_frame(centre_jet(surface, patch));
+  return tangent_frame(surface.centre_jet(patch.first, patch.second));
+}
+
+std::vector<Eigen::Matrix3d> patch_frames(const BlendingSurface& surface) {
+  std::vector<Eigen::Matrix3d> axes;
+  axes.reserve(static_cast<std::size_t>(surface.knots_u().count() * surface.knots_v().count()));
+  for (int i = 0; i < surface.knots_u().count(); ++i) {
+    for (int j = 0; j < surface.knots_v().count(); ++j) axes.push_back(patch_frame(surface, {i, j}));
+  }
+  return axes;
 }
 
 Eigen::Vector3d patch_origin(const BlendingSurface& surface, PatchIndex patch) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "knotwork/scene/document.h"
 #include "knotwork/scene/local_frame.h"
 #include "knotwork/surface/blending_surface.h"
@@ -23,9 +26,10 @@ BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animati
 /// the last local's (0) to the first one's (1).
 BlendingSurface build_surface(const BlendingSurfaceObject& object, const Animation& animation, Roll roll);
 
-/// Only M_ij again, for a frame of the animation or of a drag: same knots and model.
-void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation,
-                   Roll roll);
+/// Only M_ij again, for a frame of the animation or of a drag: same knots and model. `axes` are patch_frames() of the
+/// surface, which do not change meanwhile.
+void update_locals(BlendingSurface& surface, const BlendingSurfaceObject& object, const Animation& animation, Roll roll,
+                   std::span<const Eigen::Matrix3d> axes);
 
 /// Patch (i,j) as the document has it: the surface gives knots and model only. The axes are those of patch_frame().
 LocalFrame local_frame(const BlendingSurfaceObject& object, const Animation& animation, const BlendingSurface& surface,
@@ -35,6 +39,8 @@ LocalFrame local_frame(const BlendingSurfaceObject& object, const Animation& ani
 Eigen::Matrix3d tangent_frame(const SurfaceJet& jet);
 /// The model's at the centre of local (i,j).
 Eigen::Matrix3d patch_frame(const BlendingSurface& surface, PatchIndex patch);
+/// Of all locals, (i,j) at i n_v + j.
+std::vector<Eigen::Matrix3d> patch_frames(const BlendingSurface& surface);
 
 /// The origin of local (i,j) on the stage: M_ij (0,0,0).
 Eigen::Vector3d patch_origin(const BlendingSurface& surface, PatchIndex patch);

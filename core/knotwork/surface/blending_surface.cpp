@@ -41,11 +41,6 @@ SurfaceJet blended(const LocalBlend& u, const LocalBlend& v, const Eigen::Affine
   return jet;
 }
 
-Eigen::Vector3d model_origin(const ModelSurface& model, const KnotVector& knots_u, const KnotVector& knots_v, int i,
-                             int j) {
-  return evaluate(model, knots_u[i + 1], knots_v[j + 1]).s;
-}
-
 /// How far the image of a knot may be from a knot, relative to the domain: rounding, no more.
 constexpr double mirror_tolerance = 1e-9;
 
@@ -151,8 +146,12 @@ BlendingSurface::BlendingSurface(ModelSurface model, KnotVector knots_u, KnotVec
       twist_v_(twist_v),
       locals_(std::move(locals)),
       model_maps_(locals_.size()) {
+  centre_jets_.reserve(locals_.size());
   for (int i = 0; i < knots_u_.count(); ++i) {
-    for (int j = 0; j < knots_v_.count(); ++j) set_local(i, j, locals_[index(i, j)]);
+    for (int j = 0; j < knots_v_.count(); ++j) {
+      centre_jets_.push_back(knotwork::evaluate(model_, knots_u_[i + 1], knots_v_[j + 1]));
+      set_local(i, j, locals_[index(i, j)]);
+    }
   }
   if (shape_.kind == LocalSurfaceKind::bezier_hermite) expand_model();
 }
@@ -226,7 +225,7 @@ std::vector<Eigen::Affine3d> BlendingSurface::unmoved_locals(const ModelSurface&
   locals.reserve(static_cast<std::size_t>(knots_u.count()) * static_cast<std::size_t>(knots_v.count()));
   for (int i = 0; i < knots_u.count(); ++i) {
     for (int j = 0; j < knots_v.count(); ++j) {
-      locals.emplace_back(Eigen::Translation3d(model_origin(model, knots_u, knots_v, i, j)));
+      locals.emplace_back(Eigen::Translation3d(knotwork::evaluate(model, knots_u[i + 1], knots_v[j + 1]).s));
     }
   }
   return locals;
@@ -242,10 +241,15 @@ const Eigen::Affine3d& BlendingSurface::local(int i, int j) const { return local
 void BlendingSurface::set_local(int i, int j, const Eigen::Affine3d& map) {
   assert(usable_local_map(map));
   locals_[index(i, j)] = map;
-  model_maps_[index(i, j)] = map * Eigen::Translation3d(-model_origin(model_, knots_u_, knots_v_, i, j));
+  model_maps_[index(i, j)] = map * Eigen::Translation3d(-centre_jet(i, j).s);
 }
 
 const Eigen::Affine3d& BlendingSurface::model_map(int i, int j) const { return model_maps_[index(i, j)]; }
+
+std::span<const Eigen::Vector3d> BlendingSurface::coefficients(int i, int j) const {
+  const std::size_t kept = coefficients_.size() / locals_.size();
+  return std::span(coefficients_).subspan(kept * index(i, j), kept);
+}
 
 Eigen::Vector2d BlendingSurface::centre(int i, int j) const { return {knots_u_[i + 1], knots_v_[j + 1]}; }
 
@@ -278,16 +282,14 @@ BlendingSurface::Place BlendingSurface::reduced(double u, double v) const {
 
 /// s_ij of a Bezier-Hermite local at its centre plus (x, y).
 SurfaceJet BlendingSurface::polynomial(int i, int j, double x, double y) const {
-  const std::size_t kept = static_cast<std::size_t>((shape_.degree_u + 1) * (shape_.degree_v + 1));
-  const std::span<const Eigen::Vector3d> own = std::span(coefficients_).subspan(kept * index(i, j), kept);
-  return mapped(local(i, j), polynomial_jet(own, shape_.degree_u, shape_.degree_v, x, y));
+  return mapped(local(i, j), polynomial_jet(coefficients(i, j), shape_.degree_u, shape_.degree_v, x, y));
 }
 
 SurfaceJet BlendingSurface::evaluate_local(int i, int j, double u, double v) const {
   if (shape_.kind == LocalSurfaceKind::bezier_hermite)
     return polynomial(i, j, u - knots_u_[i + 1], v - knots_v_[j + 1]);
   SurfaceJet p = knotwork::evaluate(model_, u, v);
-  p.s -= model_origin(model_, knots_u_, knots_v_, i, j);
+  p.s -= centre_jet(i, j).s;
   return mapped(local(i, j), p);
 }
 

@@ -84,6 +84,11 @@ class BlendingSurface {
   void set_local(int i, int j, const Eigen::Affine3d& map);
   /// M^_ij = M_ij Translation(-model(centre)): takes model points to points of sub-surface locals.
   const Eigen::Affine3d& model_map(int i, int j) const;
+  /// D^(p,q)S^/(p! q!) at p (d_v+1) + q, with 0 in place of the point itself: f_ij of a Bezier-Hermite local as a
+  /// polynomial in x and y. Empty for sub-surfaces.
+  std::span<const Eigen::Vector3d> coefficients(int i, int j) const;
+  /// The model's at the centre of local (i,j).
+  const SurfaceJet& centre_jet(int i, int j) const { return centre_jets_[index(i, j)]; }
   /// The centre (u_{i+1}, v_{j+1}) of local (i,j).
   Eigen::Vector2d centre(int i, int j) const;
 
@@ -140,6 +145,7 @@ class BlendingSurface {
   BlendingFunction blending_;
   LocalSurfaces shape_;
   std::optional<Twist> twist_u_, twist_v_;
+  std::vector<SurfaceJet> centre_jets_;
   std::vector<Eigen::Affine3d> locals_, model_maps_;
   std::vector<Eigen::Vector3d> coefficients_;  ///< of Bezier-Hermite locals: (d_u+1)(d_v+1) each, D^(p,q)/(p! q!)
 };
