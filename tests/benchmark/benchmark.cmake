@@ -39,6 +39,8 @@ knotwork_benchmark_program(knotwork_benchmark SOURCES
   benchmark/measure_kernels.cpp
   benchmark/surface_kernels.cpp)
 
+knotwork_benchmark_program(knotwork_scaling SOURCES benchmark/scaling.cpp)
+
 # The works of the contest (see compare), with the rivals that are on the system.
 knotwork_find_sisl()
 knotwork_find_opencascade()

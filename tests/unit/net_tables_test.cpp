@@ -25,8 +25,8 @@ struct ShaderVertex {
 };
 ShaderVertex shade(const NetTables& tables, const std::vector<float>& net, int n_u, int n_v, std::size_t a,
                    std::size_t b) {
-  const auto at = [](const std::vector<float>& table, std::size_t columns, std::size_t a, int row) {
-    return &table[4 * (static_cast<std::size_t>(row) * columns + a)];
+  const auto at = [](const std::vector<float>& table, std::size_t across, std::size_t place, int row) {
+    return &table[4 * (static_cast<std::size_t>(row) * across + place)];
   };
   const std::size_t columns = tables.u.size(), rows = tables.v.size();
   const int first_u = static_cast<int>(at(tables.basis_u, columns, a, 0)[0]);

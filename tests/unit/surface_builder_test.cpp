@@ -238,7 +238,7 @@ TEST_CASE("surface builder: updating the locals is building anew") {
     BlendingSurface surface = build_surface(object, Animation{}, roll);
     for (MotionKind kind : {MotionKind::breathe, MotionKind::report}) {
       object.edits[{1, 1}].translation.z() += 0.1;
-      update_locals(surface, object, moving(kind), roll);
+      update_locals(surface, object, moving(kind), roll, patch_frames(surface));
       CHECK(sup_distance(surface, build_surface(object, moving(kind), roll)) == 0);
     }
   }

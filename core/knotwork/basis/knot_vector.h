@@ -21,7 +21,7 @@ enum class Topology : unsigned char { open, closed };
 class KnotVector {
  public:
   static constexpr int max_degree = 16;
-  static constexpr int max_count = 4096;
+  static constexpr int max_count = 1 << 17;
   /// Bound on |t_i|, so that no difference of knots overflows.
   static constexpr double max_knot = 1e100;
   /// How far t_{i+n} - t_i may differ from the period of a closed vector, relative to that period.
