@@ -17,6 +17,7 @@
 #include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/palette.h"
 #include "knotwork/scene/point_text.h"
+#include "web/allocations.h"
 #include "web/composition.h"
 #include "web/figure_picture.h"
 #include "web/model_ornaments.h"
@@ -53,6 +54,7 @@ bool same_static_part(const scene::BlendingSurfaceObject& a, const scene::Blendi
 }  // namespace
 
 App::App() : theme_(make_theme(false)) {
+  count_interface_allocations();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -516,6 +518,7 @@ bool App::frame(double now) {
   const bool has_letters = !regular_face_.empty() && !bold_face_.empty();
   if (!context_ready_ || !has_letters || pending_frames_ <= 0) return running_ = false;
   const double start = milliseconds();
+  const std::int64_t allocations_before = allocation_count();
   if (!running_) {
     last_frame_ = now - usual_frame_ms;  // idle until now: no leap of the clock
     // Events read the time of the last frame: what they have begun since begins now.
@@ -540,6 +543,7 @@ bool App::frame(double now) {
   last_frame_ = now;
   ++stats_.frames;
   stats_.frame_ms = milliseconds() - start;
+  stats_.allocations = static_cast<int>(allocation_count() - allocations_before);
   stats_.evaluate_ms = std::exchange(evaluating_ms_, 0);
   return running_ = wants_frame();
 }

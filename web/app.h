@@ -22,6 +22,7 @@ struct AppStats {
   std::int64_t frames = 0;       ///< since start
   double evaluate_ms = 0;        ///< up to the last frame, since the one before: building surface, maps and tables
   double frame_ms = 0;           ///< of the last frame: all of the main thread's work
+  int allocations = 0;           ///< of memory, in the last frame
   int interface_draw_calls = 0;  ///< of the last frame
 };
 

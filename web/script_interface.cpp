@@ -251,6 +251,7 @@ std::string answer_stats(const App& app) {
   json["uploadBytes"] = drawn.upload_bytes;
   json["evaluateMs"] = app.stats().evaluate_ms;
   json["frameMs"] = app.stats().frame_ms;
+  json["allocations"] = app.stats().allocations;
   return answer(std::move(json));
 }
 

@@ -12,6 +12,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
 
 # The browser's part.
 set(KNOTWORK_WEB_APP_SOURCES
+  allocations.cpp
   app.cpp
   blending_curve_ornaments.cpp
   blending_curve_panel.cpp

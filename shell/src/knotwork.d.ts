@@ -75,6 +75,8 @@ export interface Stats {
   readonly uploadBytes: number;
   readonly evaluateMs: number;
   readonly frameMs: number;
+  /// How often the frame has asked for memory.
+  readonly allocations: number;
 }
 
 /// A chapter of the page, and the rows of the table that it is about.

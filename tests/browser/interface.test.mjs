@@ -329,7 +329,7 @@ pageTest('chapters() lists the chapters, and open() brings back their start', { 
 pageTest('stats() counts frames and bytes, and tells of the last frame', { drawn: true }, async (page) => {
   await settled(page);
   const before = await statsOf(page);
-  const names = ['frames', 'drawCalls', 'stateChanges', 'vertices', 'uploadBytes', 'evaluateMs', 'frameMs'];
+  const names = ['frames', 'drawCalls', 'stateChanges', 'vertices', 'uploadBytes', 'evaluateMs', 'frameMs', 'allocations'];
   for (const name of names) assert.ok(Number.isFinite(before[name]) && before[name] >= 0, `stats().${name}`);
   assert.ok(before.frames > 0 && before.drawCalls > 0 && before.vertices > 0 && before.uploadBytes > 0);
 
@@ -339,6 +339,60 @@ pageTest('stats() counts frames and bytes, and tells of the last frame', { drawn
   await settled(page);
   const after = await statsOf(page);
   assert.ok(after.frames > before.frames && after.uploadBytes > before.uploadBytes);
+});
+
+const costs = 'a frame of an animation uploads and allocates the same whatever the vertices; so does an edit of a net';
+pageTest(costs, {}, async (page) => {
+  /// What the fourth of five frames took.
+  const frameCost = (change) =>
+    page.evaluate(
+      (change) =>
+        new Promise((resolve) => {
+          const { knotwork } = window;
+          const document = knotwork.document();
+          Object.assign(document.objects[0], change);
+          document.animation.playing = true;
+          knotwork.load(document);
+          const seen = [knotwork.stats()];
+          const look = () => {
+            const now = knotwork.stats();
+            if (now.frames > seen.at(-1).frames) seen.push(now);
+            if (seen.length > 5) {
+              resolve({ bytes: seen[4].uploadBytes - seen[3].uploadBytes, allocations: seen[4].allocations });
+            } else {
+              requestAnimationFrame(look);
+            }
+          };
+          requestAnimationFrame(look);
+        }),
+      change,
+    );
+  const locals = (await surfaceOf(page)).locals;
+  for (const kind of ['sub-surface', 'bezier-hermite']) {
+    const few = await frameCost({ samples: { u: 24, v: 24 }, locals: { ...locals, kind } });
+    const many = await frameCost({ samples: { u: 400, v: 400 }, locals: { ...locals, kind } });
+    assert.deepEqual(many, few, kind);
+    assert.ok(few.bytes > 0 && few.bytes < 20000, `${few.bytes} bytes a frame`);
+    assert.ok(few.allocations <= 256, `${few.allocations} allocations a frame`);
+  }
+  await call(page, 'pause');
+
+  // A net of 250 000 vertices: a moved point uploads the net and what is drawn over it.
+  await call(page, 'open', 'tensor-surface');
+  await page.evaluate(() => {
+    const document = window.knotwork.document();
+    document.objects[0].samples = { u: 500, v: 500 };
+    document.display.surface = false;  // drawn in software, it would take all the time
+    window.knotwork.load(document);
+  });
+  await settled(page);
+  const before = await statsOf(page);
+  const handle = (await handlesOf(page)).find(({ screen }) => screen);
+  await drag(page, handle.screen, [handle.screen[0] + 24, handle.screen[1] + 10]);
+  await settled(page);
+  const after = await statsOf(page);
+  const bytes = (after.uploadBytes - before.uploadBytes) / (after.frames - before.frames);
+  assert.ok(bytes > 0 && bytes < 40000, `${bytes} bytes a frame`);
 });
 
 pageTest('the range of a parameter is the one that holds now, in the table and beside the prose', {}, async (page) => {

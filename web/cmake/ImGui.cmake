@@ -39,7 +39,9 @@ add_library(knotwork_imgui STATIC
   "${imgui_sources}/backends/imgui_impl_opengl3.cpp")
 set_source_files_properties("${imgui_sources}/backends/imgui_impl_opengl3.cpp" PROPERTIES
   COMPILE_DEFINITIONS KNOTWORK_IMGUI_BACKEND)
-set_target_properties(knotwork_imgui PROPERTIES UNITY_BUILD OFF)  # its files are not written for it
+set_target_properties(knotwork_imgui PROPERTIES
+  UNITY_BUILD OFF  # its files are not written for it
+  KNOTWORK_IMGUI_SOURCES "${imgui_sources}")
 target_include_directories(knotwork_imgui SYSTEM PUBLIC "${imgui_sources}" "${imgui_sources}/backends")
 target_compile_features(knotwork_imgui PUBLIC cxx_std_20)
 target_include_directories(knotwork_imgui PUBLIC "${PROJECT_SOURCE_DIR}")
