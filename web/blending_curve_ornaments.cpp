@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "web/curve_ornaments.h"
+#include "web/curve_path.h"
 #include "web/stage_ornaments.h"
 #include "web/vectors.h"
 
@@ -68,15 +69,15 @@ void add_blend(Picture& picture, const scene::BlendingCurveFigure& figure) {
   std::vector<glm::vec3> hues;
   hues.reserve(static_cast<std::size_t>(count_of(figure)));
   for (int k = 0; k < count_of(figure); ++k) hues.push_back(oklab(local_hue(k, count_of(figure), picture.theme.dark)));
+  CurvePath path(picture.view, curve_view(figure.curve), figure.samples);
   for (std::size_t i = 0; i + 1 < figure.samples.size(); ++i) {
-    const auto& sample = figure.samples[i];
-    if (figure.samples[i + 1].t <= sample.t) continue;  // where one interval ends and the next begins
+    if (figure.samples[i + 1].t <= figure.samples[i].t) continue;  // where one interval ends and the next begins
     const scene::BlendingCurveFigure::Mixture& mixture = figure.mixtures[i];
     const std::array<float, 2> weights{static_cast<float>(1 - mixture.weight), static_cast<float>(mixture.weight)};
     const std::array<glm::vec3, 2> pair{hues[static_cast<std::size_t>(mixture.first)],
                                         hues[static_cast<std::size_t>(mixture.second)]};
     const Colour ink = picture.display.patch_colours ? mixed_hues(weights, pair) : picture.theme.ink;
-    add_segment(picture, sample.point, figure.samples[i + 1].point, ink, blended_width);
+    add_stretch(picture.ribbons, path.stretch(i), to_glm(ink, 1), blended_width);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "web/curve_path.h"
 #include "web/panel_frame.h"
 #include "web/vectors.h"
 
@@ -39,9 +40,10 @@ void add_line(std::vector<Ribbon>& ribbons, const Eigen::Vector3d& from, const E
 void add_band(Picture& picture, const scene::CurveFigure& figure, int point) {
   const Colour hue = point_hue(point, picture.theme.dark);
   const glm::vec4 light = to_glm(mixed(picture.theme.stage, hue, picture.theme.dark ? 0.34F : 0.3F), 1);
+  CurvePath path(picture.view, curve_view(figure.curve), figure.samples);
   for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k)
     if (figure.weight(k, point) > 0 || figure.weight(k + 1, point) > 0)
-      add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point, light, band_width);
+      add_stretch(picture.ribbons, path.stretch(k), light, band_width);
 }
 
 /// Rows of the construction between the polygon and the point, from soft to strong.
@@ -60,6 +62,11 @@ void add_construction(Picture& picture, const scene::CurveFigure& figure) {
 
 }  // namespace
 
+void add_stretch(std::vector<Ribbon>& ribbons, std::span<const glm::vec3> stretch, const glm::vec4& colour,
+                 float width) {
+  for (std::size_t k = 0; k + 1 < stretch.size(); ++k) ribbons.push_back({stretch[k], stretch[k + 1], colour, width});
+}
+
 Colour point_hue(int i, bool dark) {
   // Without the two pale hues: they would be lost as lines on paper.
   constexpr std::array<int, 6> strong{0, 1, 2, 3, 4, 6};
@@ -77,10 +84,10 @@ void add_hued_curve(Picture& picture, const scene::CurveFigure& figure, float wi
   std::vector<glm::vec3> hues;
   hues.reserve(figure.curve.points().size());
   for (int i = 0; i < figure.curve.knots().count(); ++i) hues.push_back(oklab(point_hue(i, picture.theme.dark)));
+  CurvePath path(picture.view, curve_view(figure.curve), figure.samples);
   for (std::size_t k = 0; k + 1 < figure.samples.size(); ++k) {
     const Colour ink = picture.display.patch_colours ? mixture(figure, k, hues) : picture.theme.ink;
-    add_line(picture.ribbons, figure.samples[k].point, figure.samples[k + 1].point,
-             to_glm(mixed(picture.theme.stage, ink, strength), 1), width);
+    add_stretch(picture.ribbons, path.stretch(k), to_glm(mixed(picture.theme.stage, ink, strength), 1), width);
   }
 }
 

@@ -23,6 +23,10 @@ Colour mixed_hues(std::span<const float> weights, std::span<const glm::vec3> hue
 /// that the held or hovered point has a say in, knots, construction, and the place where a press would add a point.
 void add_curve(Picture& picture, const scene::CurveFigure& figure, const InteractionState& state);
 
+/// Straight pieces one after another.
+void add_stretch(std::vector<Ribbon>& ribbons, std::span<const glm::vec3> stretch, const glm::vec4& colour,
+                 float width);
+
 // Their parts, for figures that have a curve among other things.
 void add_polygon(Picture& picture, std::span<const Eigen::Vector3d> points, bool closed);
 /// In the mixture of its points' hues; `strength` below 1 lets it fade into the stage.

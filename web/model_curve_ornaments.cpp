@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "web/curve_ornaments.h"
+#include "web/curve_path.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -87,11 +88,11 @@ void add_to_picture(Picture& picture, const scene::ModelCurveFigure& figure, con
   // A flat curve seen from above is all near.
   const float range = std::max(far - near, static_cast<float>(figure.size));
   const float width = count > dense ? dense_ink : curve_ink;
+  CurvePath path(view, curve_view(figure.model), figure.samples);
   for (const std::size_t k : order) {
     const float share = paleness * (depths[k] - near) / range;
     const Colour ink = mixed(curve_hue(picture.theme), picture.theme.stage, share);
-    picture.ribbons.push_back({glm::vec3(to_glm(figure.samples[k].point)),
-                               glm::vec3(to_glm(figure.samples[k + 1].point)), to_glm(ink, 1), width});
+    add_stretch(picture.ribbons, path.stretch(k), to_glm(ink, 1), width);
   }
   if (picture.display.frames)
     for (const FrameArrow& arrow : arrows_of(figure, view, picture.theme))

@@ -2,6 +2,7 @@
 set(KNOTWORK_WEB_LOGIC_SOURCES
   camera.cpp
   composition.cpp
+  curve_path.cpp
   figure.cpp
   freehand.cpp
   gizmo.cpp

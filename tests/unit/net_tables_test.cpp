@@ -1,7 +1,6 @@
 #include "knotwork/mesh/net_tables.h"
 
 #include <cmath>
-#include <tuple>
 #include <vector>
 
 #include "unit/oracle.h"
@@ -48,11 +47,15 @@ ShaderVertex shade(const NetTables& tables, const std::vector<float>& net, int n
 
 TEST_CASE("the shader's arithmetic on a net's tables gives the surface to float precision") {
   constexpr Topology open = Topology::open, closed = Topology::closed;
-  for (const auto& [p, q, topology_u, topology_v] :
-       {std::tuple(3, 3, open, open), std::tuple(3, 2, closed, open), std::tuple(1, 4, open, closed),
-        std::tuple(5, 3, closed, closed)}) {
-    CAPTURE(p);
-    CAPTURE(q);
+  struct Row {
+    int p, q;
+    Topology topology_u, topology_v;
+  };
+  for (const Row& row :
+       {Row{3, 3, open, open}, Row{3, 2, closed, open}, Row{1, 4, open, closed}, Row{5, 3, closed, closed}}) {
+    const auto& [p, q, topology_u, topology_v] = row;
+    CAPTURE(row.p);
+    CAPTURE(row.q);
     const BSplineSurface surface = surface_of(p, q, topology_u, topology_v);
     const NetTables tables = net_tables(surface, 20, 15);
     const std::vector<float> net = point_table(surface);

@@ -11,13 +11,15 @@ import { join } from 'node:path';
 const [folder, module, later, ...options] = process.argv.slice(2);
 // Functions of the second part by their names: marked ones; what is inside a marked maker of rows (its functions, that
 // is, not the maker, even where it has a marked function as an argument); the catalogues' formulas; copying and
-// comparing shapes and figures of any kind but the first; and what stands for another surface than the blending one.
+// comparing shapes and figures of any kind but the first; what stands for another surface than the blending one; and
+// what evaluates a curve.
 const marks = [
   /^(?!.*\[abi:rows\]).*\[abi:later\]/,
   /\[abi:rows\].*\)::(\$_|'lambda)/,
   /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/,
   /__dispatcher<[1-9]\d*ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::(web::BlendingFigure|scene::BlendingSurfaceObject)/,
   /knotted_surface<(?!knotwork::BlendingSurface>)/,
+  /\bcurve_view(<.*>)?\(.*\)::(\$_|'lambda)/,
 ];
 const plain = (name) => name.replace(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
 const isMarked = (name) => !folded.has(name) && marks.some((mark) => mark.test(plain(name)));
