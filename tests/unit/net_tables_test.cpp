@@ -14,6 +14,7 @@ BSplineSurface surface_of(int p, int q, Topology topology_u, Topology topology_v
   const KnotVector u = KnotVector::uniform(p, 6, topology_u, 0, 2).value();
   const KnotVector v = KnotVector::uniform(q, 5, topology_v, -1, 1).value();
   std::vector<Eigen::Vector3d> points;
+  points.reserve(30);
   for (int k = 0; k < 30; ++k) points.emplace_back(std::sin(1.0 * k), std::cos(2.0 * k), 0.1 * k);
   return BSplineSurface::make(u, v, std::move(points)).value();
 }
