@@ -35,6 +35,7 @@ constexpr int frames_after_event = 3;   // ImGui spreads a quick tap over this m
 constexpr int rolling_samples = 192;    // while the static part changes in every frame
 constexpr glm::dvec2 nowhere{-1e9, -1e9};
 constexpr double handle_neighbourhood = 60;  // CSS pixels; farther handles cannot be meant
+constexpr double zoom_pause_ms = 200;        // a wheel that has turned so lately may turn on
 constexpr double phone_width = 520;          // CSS pixels; a narrower stage has a drawer
 
 double milliseconds() {
@@ -273,7 +274,7 @@ void App::update_geometry() {
   } else {
     const bool same_clock = !moves(shape) || document_.animation == geometry_.animation;
     if (geometry_.figure && shape == geometry_.made_from && same_clock) return;
-    geometry_.tables_uploaded = geometry_.hues_uploaded = false;
+    geometry_.tables_uploaded = geometry_.maps_uploaded = geometry_.hues_uploaded = false;
     floor_.half_size = 0;
     update_figure(geometry_.figure, shape, document_.animation);
     geometry_.made_from = shape;
@@ -339,30 +340,54 @@ void App::upload() {
   evaluating_ms_ += milliseconds() - start;
 }
 
+/// Whether tables have to be made for the surface on the stage, of a grid that is chosen then.
+bool App::choose_grid(int samples_u, int samples_v) {
+  const bool zooms = now_ - last_zoom_ < zoom_pause_ms;
+  if (zooms) request_frames(1);
+  const bool busy = document_.animation.playing || interaction_.drag != InteractionState::Drag::none ||
+                    camera_transition_.has_value() || zooms;
+  const bool chosen = grid_.choose({.figure = *geometry_.figure,
+                                    .samples_u = samples_u,
+                                    .samples_v = samples_v,
+                                    .fitted = document_.display.adaptive && !roll_.active,
+                                    .view = view(),
+                                    .other_grid = !geometry_.tables_uploaded,
+                                    .changed = !geometry_.maps_uploaded,
+                                    .busy = busy,
+                                    .now = now_});
+  if (grid_.wants_another_look()) request_frames(1);
+  geometry_.tables_uploaded = true;
+  return chosen;
+}
+
+void App::allow_fitted_grids() {
+  grid_.allow_fitting();
+  request_frames(1);
+}
+
 void App::upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurfaceObject& object) {
   const BSplineSurface& surface = figure.shown.surface;
   const int rows = surface.knots_u().count(), columns = surface.knots_v().count();
-  if (!geometry_.tables_uploaded) renderer_.upload(net_tables(surface, object.samples_u, object.samples_v));
+  if (choose_grid(object.samples_u, object.samples_v))
+    renderer_.upload(net_tables(surface, grid_.grid(*geometry_.figure)));
   if (!geometry_.maps_uploaded) renderer_.upload_net(point_table(surface), rows, columns);
   if (!geometry_.hues_uploaded) renderer_.upload_hues(net_hues(figure.shown, object, theme_.dark), rows, columns);
-  geometry_.tables_uploaded = geometry_.maps_uploaded = geometry_.hues_uploaded = true;
+  geometry_.maps_uploaded = geometry_.hues_uploaded = true;
 }
 
 void App::upload_model(const ModelSurfaceFigure& figure, const scene::ModelSurfaceObject& object) {
-  if (!geometry_.tables_uploaded)
-    renderer_.upload(surface_tables(knotted_surface(figure.shown), object.samples_u, object.samples_v));
+  if (choose_grid(object.samples_u, object.samples_v))
+    renderer_.upload(surface_tables(knotted_surface(figure.shown), grid_.grid(*geometry_.figure)));
   if (!geometry_.hues_uploaded) renderer_.upload_hues(std::array{model_hue(theme_)}, 1, 1);
-  geometry_.tables_uploaded = geometry_.hues_uploaded = true;
+  geometry_.maps_uploaded = geometry_.hues_uploaded = true;
 }
 
 void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSurfaceObject& object) {
   const BlendingSurface& surface = figure.surface;
   const MapCounts counts = map_counts(surface);
-  if (!geometry_.tables_uploaded) {
-    const int most = roll_.active ? rolling_samples : scene::max_samples;
-    renderer_.upload(blending_tables(surface, std::min(object.samples_u, most), std::min(object.samples_v, most)));
-    geometry_.tables_uploaded = true;
-  }
+  const int most = roll_.active ? rolling_samples : scene::max_samples;
+  if (choose_grid(std::min(object.samples_u, most), std::min(object.samples_v, most)))
+    renderer_.upload(blending_tables(surface, grid_.grid(*geometry_.figure)));
   if (!geometry_.maps_uploaded) {
     renderer_.upload_maps(map_table(surface), counts.u, counts.v);
     geometry_.maps_uploaded = true;
@@ -775,6 +800,7 @@ bool App::wheel(const WheelEvent& event) {
     return true;
   }
   const Outcome outcome = web::wheel(interaction_, stage(event.position), event);
+  last_zoom_ = now_;
   apply_outcome(outcome);
   return outcome.used;
 }

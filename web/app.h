@@ -14,6 +14,7 @@
 #include "web/interface_style.h"
 #include "web/panels.h"
 #include "web/renderer.h"
+#include "web/stage_grid.h"
 
 namespace knotwork::web {
 
@@ -41,6 +42,8 @@ class App {
   void resize(double css_width, double css_height, double pixel_ratio);
   void set_scheme(bool dark);
   void set_reduced_motion(bool reduced);
+  /// The module's second part, which fits grids to the screen, is here.
+  void allow_fitted_grids();
 
   /// Draws a frame if one is needed; `now` in milliseconds. True when another one is wanted at once.
   bool frame(double now);
@@ -119,6 +122,7 @@ class App {
   void after_travel(const scene::Camera& camera_before);
   void update_floor(double seconds);
   void upload();
+  bool choose_grid(int samples_u, int samples_v);
   void run_interface(double seconds);
   void draw();
   void apply_outcome(const Outcome& outcome);
@@ -155,6 +159,7 @@ class App {
   bool framed_once_ = false;  ///< the panel has been laid out, so that the picture could be placed
 
   Geometry geometry_;
+  StageGrid grid_;
   std::vector<Handle> handles_;
   RollTransition roll_;
   std::optional<CameraTransition> camera_transition_;
@@ -175,7 +180,7 @@ class App {
   double notice_until_ = 0;
   int pending_frames_ = 3;
   bool running_ = false;  ///< the last frame asked for this one
-  double now_ = 0, last_frame_ = 0;
+  double now_ = 0, last_frame_ = 0, last_zoom_ = -1e9;
   std::uint64_t revision_ = 1;
   AppStats stats_;
   double evaluating_ms_ = 0;  ///< spent on geometry since the last frame

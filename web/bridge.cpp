@@ -63,6 +63,12 @@ EMSCRIPTEN_KEEPALIVE void knotwork_reduced_motion(bool reduced) {
   ask_for_frame();
 }
 
+EMSCRIPTEN_KEEPALIVE void knotwork_complete() {
+  if (app() == nullptr) return;
+  app()->allow_fitted_grids();
+  ask_for_frame();
+}
+
 EMSCRIPTEN_KEEPALIVE bool knotwork_context(bool present) { return context_changed(present); }
 
 EMSCRIPTEN_KEEPALIVE bool knotwork_frame(double now) { return app() != nullptr && app()->frame(now); }

@@ -14,11 +14,12 @@ constexpr double most_bend =
     0.25;  // CSS pixels that a piece may bend by; half of what is promised, as the most may be missed
 constexpr double worth_a_look = most_bend / 4;  // where neighbours tell of so much, the curve itself is asked
 constexpr int halvings = 7;
-constexpr double margin = 20;  // CSS pixels beyond the picture: lines are wide
+constexpr double line_margin = 20;  // CSS pixels beyond the picture: lines are wide
 
 /// The distance of b from the segment from a to c.
-double off_chord(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-  const glm::dvec2 chord = c - a;
+template <class Point>
+double off_chord(Point a, Point b, Point c) {
+  const Point chord = c - a;
   const double square = glm::dot(chord, chord);
   const double share = square > 0 ? std::clamp(glm::dot(b - a, chord) / square, 0.0, 1.0) : 0.0;
   return glm::distance(b, a + share * chord);
@@ -34,15 +35,18 @@ CurvePath::CurvePath(const View& view, const CurveView& curve, std::span<const s
   }
 }
 
-/// Of the stretch from samples[k] on, in pixels, as its neighbours tell: a quarter of what twice its length bends by.
+/// Of the stretch from samples[k] on, in pixels at its nearer end, as its neighbours tell wherever they lie: a quarter of
+/// what twice its length bends by.
 double CurvePath::hinted_bend(std::size_t k) const {
   const auto here = [this](std::size_t i) {
     const bool together = samples_[i].t < samples_[i + 1].t && samples_[i + 1].t < samples_[i + 2].t;
-    const bool seen = places_[i].seen && places_[i + 1].seen && places_[i + 2].seen;
-    return together && seen ? off_chord(places_[i].screen, places_[i + 1].screen, places_[i + 2].screen) / 4 : 0.0;
+    return together
+               ? off_chord(to_glm(samples_[i].point), to_glm(samples_[i + 1].point), to_glm(samples_[i + 2].point)) / 4
+               : 0.0;
   };
   const double before = k > 0 ? here(k - 1) : 0, after = k + 2 < samples_.size() ? here(k) : 0;
-  return std::max(before, after);
+  return std::max(before, after) /
+         std::min(view_.pixel_size(to_glm(samples_[k].point)), view_.pixel_size(to_glm(samples_[k + 1].point)));
 }
 
 /// Adds what lies between two places of the curve, without them: halves until each piece is straight enough.
@@ -62,7 +66,9 @@ void CurvePath::cut(const End& from, const End& to, int depth) {
   cut(middle, to, depth - 1);
 }
 
-bool CurvePath::outside(std::size_t k) const {
+/// Whether the stretch and what it may bend by lie beside the picture.
+bool CurvePath::outside(std::size_t k, double bend) const {
+  const double margin = line_margin + 4 * bend;
   const glm::dvec2 a = places_[k].screen, b = places_[k + 1].screen;
   const glm::dvec2 low = glm::min(a, b), high = glm::max(a, b);
   return high.x < -margin || high.y < -margin || low.x > view_.viewport.width + margin ||
@@ -72,7 +78,8 @@ bool CurvePath::outside(std::size_t k) const {
 std::span<const glm::vec3> CurvePath::stretch(std::size_t k) {
   const auto &from = samples_[k], &to = samples_[k + 1];
   stretch_.assign(1, glm::vec3(to_glm(from.point)));
-  if (hinted_bend(k) > worth_a_look && !outside(k)) {
+  const double bend = hinted_bend(k);
+  if (bend > worth_a_look && places_[k].seen && places_[k + 1].seen && !outside(k, bend)) {
     cut({from.t, to_glm(from.point), places_[k].screen}, {to.t, to_glm(to.point), places_[k + 1].screen}, halvings);
   }
   stretch_.emplace_back(to_glm(to.point));

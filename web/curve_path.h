@@ -36,7 +36,7 @@ class CurvePath {
     glm::dvec2 screen;
   };
   double hinted_bend(std::size_t k) const;
-  bool outside(std::size_t k) const;
+  bool outside(std::size_t k, double bend) const;
   void cut(const End& from, const End& to, int depth);
 
   const View& view_;

@@ -10,6 +10,8 @@ namespace knotwork::web {
 /// each picture begins with a new one.
 class GlState {
  public:
+  static constexpr GLuint texture_units = 16;  ///< that a vertex shader of WebGL2 has at least
+
   int changes() const { return changes_; }
 
   void use(const DrawProgram& program) {
@@ -22,11 +24,12 @@ class GlState {
     glBindVertexArray(array_ = array.get());
     ++changes_;
   }
+  /// Precondition: unit < texture_units.
   void bind(GLuint unit, const Texture& texture) {
-    if (unit < textures_.size() && textures_[unit] == texture.get()) return;
+    if (textures_[unit] == texture.get()) return;
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, texture.get());
-    if (unit < textures_.size()) textures_[unit] = texture.get();
+    textures_[unit] = texture.get();
     ++changes_;
   }
   void target(GLuint framebuffer, GLsizei width, GLsizei height) {
@@ -65,7 +68,11 @@ class GlState {
 
   int changes_ = 0;
   GLuint program_ = unknown, array_ = unknown;
-  std::array<GLuint, 8> textures_{unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
+  std::array<GLuint, texture_units> textures_ = [] {
+    std::array<GLuint, texture_units> units{};
+    units.fill(unknown);
+    return units;
+  }();
   int blend_ = -1, depth_test_ = -1;
   GLenum depth_function_ = 0;
 };

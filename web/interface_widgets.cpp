@@ -31,37 +31,36 @@ float size_of(const Interface& ui, Face face) {
   return ui.touch ? size + 1 : size;
 }
 
-/// A stretch of text that is all on the line, all lowered or all raised; the latter as plain figures.
+/// A stretch of text on the line, or one lowered or raised figure as a plain one.
 struct Run {
-  std::string words;
+  std::string_view words;
   int level;  ///< -1 lowered, 0, 1 raised
 };
 
 /// Lowered figures are the bytes E2 82 80 .. E2 82 89; raised ones E2 81 B0, E2 81 B4 .. B9, and in Latin-1 C2 B9 (1),
 /// C2 B2 (2) and C2 B3 (3).
-std::vector<Run> runs(std::string_view text) {
-  std::vector<Run> out;
-  const auto append = [&](std::string_view bytes, int level) {
-    if (out.empty() || out.back().level != level) out.push_back({{}, level});
-    out.back().words += bytes;
-  };
+template <class Visit>
+void each_run(std::string_view text, Visit visit) {
+  constexpr std::string_view figures = "0123456789";
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
+  std::size_t plain = 0;  // where what is on the line begins
   for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t k) { return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U; };
-    const auto figure = [](unsigned value) { return std::string(1, static_cast<char>('0' + static_cast<int>(value))); };
-    const bool low = byte(0) == 0xE2 && byte(1) == 0x82 && byte(2) >= 0x80 && byte(2) <= 0x89;
-    const bool high = byte(0) == 0xE2 && byte(1) == 0x81 && byte(2) >= 0xB0 && byte(2) <= 0xB9;
-    if (low || high) {
-      append(figure(byte(2) - (low ? 0x80 : 0xB0)), low ? -1 : 1);
-      i += 3;
-    } else if (byte(0) == 0xC2 && (byte(1) == 0xB9 || byte(1) == 0xB2 || byte(1) == 0xB3)) {
-      append(figure(byte(1) == 0xB9 ? 1 : byte(1) - 0xB0), 1);
-      i += 2;
-    } else {
-      append(text.substr(i, 1), 0);
+    const bool low = byte(i) == 0xE2 && byte(i + 1) == 0x82 && byte(i + 2) >= 0x80 && byte(i + 2) <= 0x89;
+    const bool high = byte(i) == 0xE2 && byte(i + 1) == 0x81 && byte(i + 2) >= 0xB0 && byte(i + 2) <= 0xB9;
+    const bool latin = byte(i) == 0xC2 && (byte(i + 1) == 0xB9 || byte(i + 1) == 0xB2 || byte(i + 1) == 0xB3);
+    if (!low && !high && !latin) {
       ++i;
+      continue;
     }
+    const unsigned figure = low                   ? byte(i + 2) - 0x80
+                            : high                ? byte(i + 2) - 0xB0
+                            : byte(i + 1) == 0xB9 ? 1
+                                                  : byte(i + 1) - 0xB0;
+    if (i > plain) visit(Run{text.substr(plain, i - plain), 0});
+    visit(Run{figures.substr(figure, 1), low ? -1 : 1});
+    plain = i += latin ? 2 : 3;
   }
-  return out;
+  if (plain < text.size()) visit(Run{text.substr(plain), 0});
 }
 
 constexpr float small_figure_share = 0.72F;
@@ -236,7 +235,7 @@ void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float 
 
 float text_width(const Interface& ui, Face face, std::string_view text) {
   float width = 0;
-  for (const Run& run : runs(text)) width += run_width(ui, face, run);
+  each_run(text, [&](const Run& run) { width += run_width(ui, face, run); });
   return width;
 }
 
@@ -245,13 +244,13 @@ void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::strin
   const float size = size_of(ui, face);
   float x = position.x;
   if (align != Align::left) x -= text_width(ui, face, text) / (align == Align::centre ? 2 : 1);
-  for (const Run& run : runs(text)) {
+  each_run(text, [&](const Run& run) {
     const float run_size = size * (run.level != 0 ? small_figure_share : 1);
     const float y = position.y - size / 2 + (run.level < 0 ? size * 0.36F : run.level > 0 ? -size * 0.04F : 0);
     list.AddText(font_of(ui, face), run_size, {std::round(x), std::round(y)}, ink, run.words.data(),
                  run.words.data() + run.words.size());
     x += run_width(ui, face, run);
-  }
+  });
 }
 
 Paragraph balanced(const Interface& ui, Face face, std::string_view words, float widest) {
@@ -312,6 +311,7 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
   // Words of unequal length share what room is left evenly.
   const float spare = (rect.width - segmented_width(ui, segments)) / static_cast<float>(segments.size());
   std::vector<Rect> places;
+  places.reserve(segments.size());
   float x = rect.x + inset;
   for (const Segment& segment : segments) {
     const float end = x + text_width(ui, Face::bold, segment.label) + 2 * segment_padding + spare;
@@ -321,6 +321,7 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
 
   std::optional<std::size_t> clicked;
   std::vector<Press> presses;
+  presses.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
     presses.push_back(press_area(ui, segments[i].widget, places[i]));
     if (presses[i].clicked) clicked = i;

@@ -49,9 +49,11 @@ constexpr std::array<std::string_view, 23> first_rows{"topology.u",
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
-constexpr float padding = 16;       ///< inside the card
-constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
-constexpr float combo_margin = 40;  ///< beside the words of a closed list
+constexpr float padding = 16;   ///< inside the card
+constexpr float foot_clip = 3;  ///< rows end this much before the foot of what they scroll in
+constexpr std::size_t usual_widgets = 64;
+constexpr std::size_t most_segments = 4;  ///< more choices are a list
+constexpr float combo_margin = 40;        ///< beside the words of a closed list
 
 // Measures that a finger needs larger.
 float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
@@ -121,8 +123,9 @@ void take_slider(Frame& frame, const Parameter& parameter, const SliderEvent& ev
 SliderScale scale_of(Frame& frame, const Parameter& parameter, double value) {
   const scene::Limits range = scene::range_of(frame.input.document, parameter);
   const scene::Limits soft = scene::soft_range_of(frame.input.document, parameter);
-  const std::string key = std::string(parameter.id) + "#whole";
-  bool& whole = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(key.c_str()), false);
+  // The plain id is the widget's own.
+  const ImGuiID key = ImGui::GetID(parameter.id.data(), parameter.id.data() + parameter.id.size()) + 1;
+  bool& whole = *ImGui::GetStateStorage()->GetBoolRef(key, false);
   if (!frame.state.slider_held) whole = !soft.contains(value);
   SliderScale scale{whole ? range.min : soft.min, whole ? range.max : soft.max, parameter.step, false};
   scale.logarithmic = scale.min > 0 && scale.max >= 16 * scale.min;
@@ -256,18 +259,21 @@ void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
 void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
   const std::string present = choice(frame, parameter);
   std::vector<Segment> segments;
-  for (const scene::Choice& option : parameter.choices)
-    segments.push_back(
-        {option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
-         option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
+  if (parameter.choices.size() <= most_segments) {
+    segments.reserve(parameter.choices.size());
+    for (const scene::Choice& option : parameter.choices)
+      segments.push_back(
+          {option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
+           option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
+  }
 
   const float height = row_height(frame), gap = frame.ui.touch ? 4 : 6;
   float needed = segmented_width(frame.ui, segments);
-  const bool as_list = segments.size() > 4 || needed > column.width;
+  const bool as_list = segments.empty() || needed > column.width;
   if (as_list) {
     needed = 0;
-    for (const Segment& segment : segments)
-      needed = std::max(needed, text_width(frame.ui, Face::regular, segment.label) + combo_margin);
+    for (const scene::Choice& option : parameter.choices)
+      needed = std::max(needed, text_width(frame.ui, Face::regular, option.label) + combo_margin);
   }
   // Words too wide to stand beside their label take the whole row; the words of choices speak for themselves.
   const bool alone = label.empty() || needed > column.width - column.labels;
@@ -657,6 +663,7 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   const Rect stage{0, 0, static_cast<float>(std::floor(input.viewport.width)),
                    static_cast<float>(std::floor(input.viewport.height))};
   Frame frame{state, input, output, ui, stage};
+  ui.widgets.reserve(usual_widgets);
 
   state.list_open = false;
   labels(frame);

@@ -9,7 +9,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "knotwork/mesh/surface_sampling.h"
-#include "web/gl_objects.h"
+#include "web/surface_textures.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -24,7 +24,7 @@ float pixel_size_at_target(const Picture& picture) {
 
 constexpr std::array<std::string_view, 2> surface_vertex_files{"blending.glsl", "surface.vert"};
 constexpr std::array<std::string_view, 2> surface_fragment_files{"palette.glsl", "surface.frag"};
-constexpr std::array<std::string_view, 2> sheet_vertex_files{"blending.glsl", "sheet.vert"};
+constexpr std::array<std::string_view, 3> sheet_vertex_files{"blending.glsl", "sheet.glsl", "sheet.vert"};
 constexpr std::array<std::string_view, 2> sheet_fragment_files{"palette.glsl", "sheet.frag"};
 constexpr std::array<std::string_view, 2> shadow_vertex_files{"blending.glsl", "shadow.vert"};
 constexpr std::array<std::string_view, 1> shadow_fragment_files{"shadow.frag"};
@@ -41,6 +41,7 @@ constexpr std::array<std::string_view, 1> disc_fragment_files{"disc.frag"};
 }  // namespace
 
 struct Renderer::Resources {
+  SurfaceTextures textures;
   DrawProgram background, surface, sheet, shadow, blur, ground, ribbon, disc;
   Buffer surface_indices, sheet_indices, instances;
   GLsizei surface_index_count = 0, sheet_index_count = 0;
@@ -50,6 +51,7 @@ struct Renderer::Resources {
   bool shadow_stale = true;
   glm::vec4 shadow_floor{0};
 
+  std::int64_t surface_vertices() const { return static_cast<std::int64_t>(textures.columns()) * textures.rows(); }
   /// The triangles of a grid of vertices.
   static GLsizei upload_indices(const VertexArray& array, glm::ivec2 grid) {
     const std::vector<std::uint32_t> triangles = grid_indices(grid.x, grid.y, false, false);
@@ -125,7 +127,8 @@ void Renderer::abandon() {
   forget(gl_->background, gl_->surface, gl_->sheet, gl_->shadow, gl_->blur, gl_->ground, gl_->ribbon, gl_->disc);
   forget(gl_->surface_indices, gl_->sheet_indices, gl_->instances, gl_->surface_array, gl_->sheet_array,
          gl_->empty_array, gl_->ribbon_array, gl_->disc_array);
-  surface_.abandon();
+  stats_.upload_bytes += gl_->textures.uploaded_bytes();
+  gl_->textures.abandon();
   for (DrawTarget* target : {&gl_->shadow_image, &gl_->soft_a, &gl_->soft_b})
     forget(target->texture, target->framebuffer);
   gl_ = std::make_unique<Resources>();
@@ -134,7 +137,7 @@ void Renderer::abandon() {
 /// With the triangles of the surface and of a local's sheet, where their grids are others than before.
 template <class Tables>
 void Renderer::upload_tables(const Tables& tables) {
-  surface_.upload(tables);
+  gl_->textures.upload(tables);
   gl_->shadow_stale = true;
   const auto upload = [this](const VertexArray& array, glm::ivec2 grid, glm::ivec2& known, GLsizei& count) {
     if (known == grid) return;
@@ -142,9 +145,10 @@ void Renderer::upload_tables(const Tables& tables) {
     count = Resources::upload_indices(array, grid);
     stats_.upload_bytes += 4.0 * static_cast<double>(count);
   };
-  upload(gl_->surface_array, {surface_.columns(), surface_.rows()}, gl_->surface_grid, gl_->surface_index_count);
-  if (surface_.has_locals())
-    upload(gl_->sheet_array, 2 * surface_.steps() + 1, gl_->sheet_grid, gl_->sheet_index_count);
+  upload(gl_->surface_array, {gl_->textures.columns(), gl_->textures.rows()}, gl_->surface_grid,
+         gl_->surface_index_count);
+  if (gl_->textures.has_locals())
+    upload(gl_->sheet_array, 2 * gl_->textures.finest_steps() + 1, gl_->sheet_grid, gl_->sheet_index_count);
 }
 
 void Renderer::upload(const BlendingTables& tables) { upload_tables(tables); }
@@ -152,22 +156,22 @@ void Renderer::upload(const NetTables& tables) { upload_tables(tables); }
 void Renderer::upload(const SurfaceTables& tables) { upload_tables(tables); }
 
 void Renderer::upload_maps(const std::vector<float>& texels, int locals_u, int locals_v) {
-  surface_.upload_maps(texels, locals_u, locals_v);
+  gl_->textures.upload_maps(texels, locals_u, locals_v);
   gl_->shadow_stale = true;
 }
 
 void Renderer::upload_net(const std::vector<float>& texels, int rows, int columns) {
-  surface_.upload_net(texels, rows, columns);
+  gl_->textures.upload_net(texels, rows, columns);
   gl_->shadow_stale = true;
 }
 
 void Renderer::upload_hues(std::span<const glm::vec3> hues, int rows, int columns) {
-  surface_.upload_hues(hues, rows, columns);
+  gl_->textures.upload_hues(hues, rows, columns);
 }
 
 RendererStats Renderer::stats() const {
   RendererStats stats = stats_;
-  stats.upload_bytes += surface_.uploaded_bytes();
+  stats.upload_bytes += gl_->textures.uploaded_bytes();
   return stats;
 }
 
@@ -176,7 +180,7 @@ void Renderer::draw(const Picture& picture) {
   stats_.vertices = 0;
   GlState state;
   const Viewport& viewport = picture.view.viewport;
-  const bool drawable = picture.surface && gl_->surface_index_count > 0 && surface_.complete();
+  const bool drawable = picture.surface && gl_->surface_index_count > 0 && gl_->textures.complete();
   const bool lit = drawable && picture.display.surface;
   if (lit) draw_shadow(state, picture);
 
@@ -196,7 +200,8 @@ void Renderer::draw(const Picture& picture) {
 
   state.blend(true);
   state.depth_mask(false);
-  if (drawable && surface_.has_locals() && (picture.display.local_patches || picture.held)) draw_sheets(state, picture);
+  if (drawable && gl_->textures.has_locals() && (picture.display.local_patches || picture.held))
+    draw_sheets(state, picture);
   if (lit) {
     state.depth_function(GL_GREATER);
     draw_ribbons(state, picture, picture.hidden_ribbons);
@@ -250,10 +255,9 @@ void Renderer::draw_surface(GlState& state, const Picture& picture) {
   const bool dark = picture.theme.dark;
   state.blend(false);
   state.use(program);
-  surface_.bind(state, program);
+  gl_->textures.bind(state, program);
   program.set("u_view_projection", glm::mat4(view.projection * view.view));
-  program.set("u_rows", surface_.rows());
-  program.set("u_steps", glm::vec2(surface_.steps()));
+  program.set("u_rows", gl_->textures.rows());
   program.set("u_eye", glm::vec3(view.eye));
   // The lights hang on the camera's heading, so that a turned surface is always well lit.
   const glm::dvec3 key =
@@ -277,7 +281,7 @@ void Renderer::draw_surface(GlState& state, const Picture& picture) {
   state.bind(gl_->surface_array);
   glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
   ++stats_.draw_calls;
-  stats_.vertices += static_cast<std::int64_t>(surface_.columns()) * surface_.rows();
+  stats_.vertices += gl_->surface_vertices();
 }
 
 void Renderer::draw_shadow(GlState& state, const Picture& picture) {
@@ -296,10 +300,9 @@ void Renderer::draw_shadow(GlState& state, const Picture& picture) {
   state.blend_equation(GL_MAX);
   const DrawProgram& program = gl_->shadow;
   state.use(program);
-  surface_.bind(state, program);
-  program.set("u_rows", surface_.rows());
+  gl_->textures.bind(state, program);
+  program.set("u_rows", gl_->textures.rows());
   program.set("u_floor", floor);
-  program.set("u_slant", glm::vec2(0.0F, 0.0F));
   program.set("u_fall_off", 1.1F / static_cast<float>(picture.floor.half_size) * 2.0F);
   state.bind(gl_->surface_array);
   glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
@@ -321,21 +324,16 @@ void Renderer::draw_shadow(GlState& state, const Picture& picture) {
     source = &target.texture;
   }
   stats_.draw_calls += 5;
+  stats_.vertices += gl_->surface_vertices();
 }
 
 void Renderer::draw_sheets(GlState& state, const Picture& picture) {
   const DrawProgram& program = gl_->sheet;
   const View& view = picture.view;
   state.use(program);
-  surface_.bind(state, program);
+  gl_->textures.bind_sheets(state, program, picture.sheets);
   program.set("u_view_projection", glm::mat4(view.projection * view.view));
-  program.set("u_steps", surface_.steps());
-  const glm::ivec2 last{surface_.columns() - 1, surface_.rows() - 1};
-  program.set("u_last", last);
   program.set("u_locals", glm::ivec2(picture.locals_u, picture.locals_v));
-  program.set("u_closed", glm::ivec2(picture.closed_u ? 1 : 0, picture.closed_v ? 1 : 0));
-  program.set("u_period", picture.period);
-  program.set("u_mirror", picture.mirror * surface_.steps());
   program.set("u_eye", glm::vec3(view.eye));
   program.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
   program.set("u_pixel_size", pixel_size_at_target(picture));
@@ -357,18 +355,21 @@ void Renderer::draw_ribbons(GlState& state, const Picture& picture, const std::v
   gl_->ribbon.set("u_viewport", glm::vec2(view.viewport.width, view.viewport.height));
   gl_->ribbon.set("u_pixel_ratio", static_cast<float>(view.viewport.pixel_ratio));
   gl_->ribbon.set("u_near", 1e-3F);
-  glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ribbons.size() * sizeof(Ribbon)), ribbons.data(),
-               GL_STREAM_DRAW);
+  upload_instances(ribbons.data(), ribbons.size() * sizeof(Ribbon));
   state.bind(gl_->ribbon_array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ribbons.size()));
   ++stats_.draw_calls;
   stats_.vertices += static_cast<std::int64_t>(4 * ribbons.size());
-  stats_.upload_bytes += static_cast<double>(ribbons.size() * sizeof(Ribbon));
 }
 
-void Renderer::draw_discs(GlState& state, const Picture& picture, const std::vector<Disc>& discs, float opacity) {
-  if (discs.empty()) return;
+void Renderer::upload_instances(const void* first, std::size_t bytes) {
+  glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), first, GL_STREAM_DRAW);
+  stats_.upload_bytes += static_cast<double>(bytes);
+}
+
+/// Those that upload_instances() has had last.
+void Renderer::draw_discs(GlState& state, const Picture& picture, std::size_t count, float opacity) {
   const View& view = picture.view;
   state.use(gl_->disc);
   gl_->disc.set("u_view_projection", glm::mat4(view.projection * view.view));
@@ -377,23 +378,25 @@ void Renderer::draw_discs(GlState& state, const Picture& picture, const std::vec
   gl_->disc.set("u_eye", glm::vec3(view.eye));
   gl_->disc.set("u_pixel_size", pixel_size_at_target(picture));
   gl_->disc.set("u_opacity", opacity);
-  glBindBuffer(GL_ARRAY_BUFFER, gl_->instances.get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(), GL_STREAM_DRAW);
   state.bind(gl_->disc_array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(discs.size()));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
   ++stats_.draw_calls;
-  stats_.vertices += static_cast<std::int64_t>(4 * discs.size());
-  stats_.upload_bytes += static_cast<double>(discs.size() * sizeof(Disc));
+  stats_.vertices += static_cast<std::int64_t>(4 * count);
 }
 
 void Renderer::draw_overlay(GlState& state, const Picture& picture) {
-  state.depth_function(GL_GREATER);  // what the surface hides is hinted at, not lost
-  draw_discs(state, picture, picture.discs, 0.26F);
-  state.depth_function(GL_LEQUAL);
-  draw_discs(state, picture, picture.discs, 1.0F);
+  if (!picture.discs.empty()) {
+    upload_instances(picture.discs.data(), picture.discs.size() * sizeof(Disc));
+    state.depth_function(GL_GREATER);  // what the surface hides is hinted at, not lost
+    draw_discs(state, picture, picture.discs.size(), 0.26F);
+    state.depth_function(GL_LEQUAL);
+    draw_discs(state, picture, picture.discs.size(), 1.0F);
+  }
   state.depth_test(false);  // the gizmo is a tool, not a thing on the stage
   draw_ribbons(state, picture, picture.overlay_ribbons);
-  draw_discs(state, picture, picture.overlay_discs, 1.0F);
+  if (picture.overlay_discs.empty()) return;
+  upload_instances(picture.overlay_discs.data(), picture.overlay_discs.size() * sizeof(Disc));
+  draw_discs(state, picture, picture.overlay_discs.size(), 1.0F);
 }
 
 }  // namespace knotwork::web

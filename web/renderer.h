@@ -6,9 +6,16 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "knotwork/mesh/blending_tables.h"
+#include "knotwork/mesh/net_tables.h"
+#include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/document.h"
 #include "web/camera.h"
-#include "web/surface_textures.h"
+#include "web/sheet_directions.h"
 #include "web/theme.h"
 
 namespace knotwork::web {
@@ -42,11 +49,8 @@ struct Picture {
   scene::Display display;
   bool surface = false;  ///< the tables uploaded last are shown
   Floor floor;
-  int locals_u = 1, locals_v = 1;           ///< of the maps uploaded last
-  bool closed_u = false, closed_v = false;  ///< wraps on the stage
-  glm::vec2 period{0};                      ///< of the parameters in closed directions
-  /// Local k of u becomes mirror.x - k where v goes round a twisted seam, of v mirror.y - k where u does; -1: no twist.
-  glm::ivec2 mirror{-1};
+  int locals_u = 1, locals_v = 1;  ///< of the maps uploaded last
+  SheetDirections sheets;
   std::optional<scene::PatchIndex> held;  ///< its own sheet is shown
   /// What is lit of the surface, in intervals of its knot lines: u from, to, v from, to. A closed direction goes round.
   std::optional<glm::vec4> support;
@@ -66,7 +70,10 @@ struct RendererStats {
   double upload_bytes = 0;
 };
 
-/// Draws pictures with WebGL2. The only file beside gl_objects and ImGui's backend that speaks GL.
+class GlState;
+
+/// Draws pictures with WebGL2. Nothing but its own files (gl_objects, gl_state, draw_program, surface_textures) and ImGui's
+/// backend speaks GL.
 class Renderer {
  public:
   Renderer();
@@ -100,12 +107,12 @@ class Renderer {
   void draw_ground(GlState& state, const Picture& picture);
   void draw_surface(GlState& state, const Picture& picture);
   void draw_ribbons(GlState& state, const Picture& picture, const std::vector<Ribbon>& ribbons);
-  void draw_discs(GlState& state, const Picture& picture, const std::vector<Disc>& discs, float opacity);
+  void upload_instances(const void* first, std::size_t bytes);
+  void draw_discs(GlState& state, const Picture& picture, std::size_t count, float opacity);
   void draw_sheets(GlState& state, const Picture& picture);
   void draw_overlay(GlState& state, const Picture& picture);
 
   std::unique_ptr<Resources> gl_;
-  SurfaceTextures surface_;
   RendererStats stats_;
 };
 

@@ -138,14 +138,10 @@ void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& 
   picture.surface = true;
   picture.locals_u = surface.knots_u().count();
   picture.locals_v = surface.knots_v().count();
-  picture.closed_u = surface.knots_u().closed();
-  picture.mirror = {surface.twist_v() ? surface.twist_v()->mirror : -1,
-                    surface.twist_u() ? surface.twist_u()->mirror : -1};
-  picture.closed_v = surface.knots_v().closed();
-  picture.period = {static_cast<float>(surface.knots_u().period()), static_cast<float>(surface.knots_v().period())};
+  picture.sheets = sheet_directions(surface);
   picture.held = look.state.selected;
-  picture.knot_period = {picture.closed_u ? static_cast<float>(picture.locals_u) : 0.0F,
-                         picture.closed_v ? static_cast<float>(picture.locals_v) : 0.0F};
+  picture.knot_period = {surface.knots_u().closed() ? static_cast<float>(picture.locals_u) : 0.0F,
+                         surface.knots_v().closed() ? static_cast<float>(picture.locals_v) : 0.0F};
   if (picture.held) {
     const glm::vec2 held(static_cast<float>(picture.held->first), static_cast<float>(picture.held->second));
     picture.support = glm::vec4(held.x - 1, held.x + 1, held.y - 1, held.y + 1);

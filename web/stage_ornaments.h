@@ -1,5 +1,6 @@
 #pragma once
 
+#include "knotwork/later.h"
 #include "web/figure_picture.h"
 
 namespace knotwork::web {
@@ -14,16 +15,17 @@ void add_handles(Picture& picture, std::span<const Handle> handles, const scene:
                  const InteractionState& state);
 
 /// The gizmo round the selected handle, the part under the pointer or held drawn stronger.
-void add_gizmo(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object,
-               const InteractionState& state);
+KNOTWORK_LATER void add_gizmo(Picture& picture, const BlendingSurface& surface,
+                              const scene::BlendingSurfaceObject& object, const InteractionState& state);
 
 void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionState& state);
 
 /// Each local patch's own frame: its u, v and normal axes as short arrows.
-void add_patch_frames(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object);
+KNOTWORK_LATER void add_patch_frames(Picture& picture, const BlendingSurface& surface,
+                                     const scene::BlendingSurfaceObject& object);
 
 /// Unit normals of the surface as thin hairs on a regular grid of each knot interval.
-void add_normals(Picture& picture, const KnottedSurface& surface);
+KNOTWORK_LATER void add_normals(Picture& picture, const KnottedSurface& surface);
 
 /// The surface itself, its handles and what display asks for.
 void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& look);

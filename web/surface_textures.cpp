@@ -1,6 +1,26 @@
 #include "web/surface_textures.h"
 
+#include <algorithm>
+
 namespace knotwork::web {
+namespace {
+
+/// Texels of `grid` for a direction: the sample's place counted in knot intervals; the first sample of the interval that
+/// is counted so.
+int add_lines(std::span<float> row, const std::vector<int>& starts) {
+  int finest = 1;
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+    const int steps = starts[k + 1] - starts[k];
+    finest = std::max(finest, steps);
+    for (int step = 0; step <= steps; ++step)
+      row[4 * static_cast<std::size_t>(starts[k] + step)] =
+          static_cast<float>(k) + static_cast<float>(step) / static_cast<float>(steps);
+  }
+  for (std::size_t k = 0; k < starts.size(); ++k) row[4 * k + 1] = static_cast<float>(starts[k]);
+  return finest;
+}
+
+}  // namespace
 
 /// New texels, into the texture that is there where its size is the same.
 void SurfaceTextures::set(Table table, int width, int height, std::span<const float> texels) {
@@ -17,9 +37,18 @@ template <class Tables>
 void SurfaceTextures::begin(Kind kind, const Tables& tables) {
   if (kind != kind_) tables_ = {};  // what the last one has left behind is of no use
   kind_ = kind;
-  columns_ = tables.columns;
-  rows_ = tables.rows;
-  steps_ = {tables.steps_u, tables.steps_v};
+  upload(tables.grid);
+}
+
+void SurfaceTextures::upload(const SampleGrid& lines) {
+  columns_ = lines.columns();
+  rows_ = lines.rows();
+  intervals_ = {static_cast<int>(lines.starts_u.size()) - 1, static_cast<int>(lines.starts_v.size()) - 1};
+  const int width = std::max(columns_, rows_);
+  std::vector<float> texels(8 * static_cast<std::size_t>(width));
+  finest_steps_ = {add_lines(std::span(texels).first(texels.size() / 2), lines.starts_u),
+                   add_lines(std::span(texels).last(texels.size() / 2), lines.starts_v)};
+  set(grid, width, 2, texels);
 }
 
 void SurfaceTextures::upload(const BlendingTables& tables) {
@@ -66,8 +95,9 @@ void SurfaceTextures::upload_hues(std::span<const glm::vec3> colours, int rows, 
 }
 
 void SurfaceTextures::bind(GlState& state, const DrawProgram& program) const {
-  constexpr std::array<const char*, table_count> samplers{
-      "u_points", "u_partials_u", "u_partials_v", "u_blend_u", "u_blend_v", "u_maps", "u_hues", "u_coefficients"};
+  constexpr std::array<const char*, table_count> samplers{"u_points",  "u_partials_u",   "u_partials_v",
+                                                          "u_blend_u", "u_blend_v",      "u_maps",
+                                                          "u_hues",    "u_coefficients", "u_grid"};
   for (GLuint unit = 0; unit < table_count; ++unit) {
     // What this surface has no use for must still be a texture.
     state.bind(unit, tables_[unit] ? tables_[unit] : tables_[hues]);
@@ -75,13 +105,21 @@ void SurfaceTextures::bind(GlState& state, const DrawProgram& program) const {
   }
   program.set("u_kind", static_cast<int>(kind_));
   program.set("u_degrees", degrees_);
+  program.set("u_intervals", intervals_);
+}
+
+void SurfaceTextures::bind_sheets(GlState& state, const DrawProgram& program, const SheetDirections& directions) const {
+  bind(state, program);
+  program.set("u_steps", finest_steps_);
+  program.set("u_last", glm::ivec2(columns_ - 1, rows_ - 1));
+  program.set("u_closed", directions.closed);
+  program.set("u_period", directions.period);
+  program.set("u_mirror", directions.mirror);
 }
 
 void SurfaceTextures::abandon() {
   for (Texture& table : tables_) table.abandon();
-  const double bytes = uploaded_bytes_;
   *this = SurfaceTextures();
-  uploaded_bytes_ = bytes;
 }
 
 }  // namespace knotwork::web

@@ -11,6 +11,7 @@
 #include "knotwork/mesh/net_tables.h"
 #include "knotwork/mesh/surface_tables.h"
 #include "web/gl_state.h"
+#include "web/sheet_directions.h"
 
 namespace knotwork::web {
 
@@ -33,14 +34,16 @@ class SurfaceTextures {
 
   /// Binds the textures and sets what else blending.glsl asks for. Precondition: the program is in use.
   void bind(GlState& state, const DrawProgram& program) const;
+  /// The same with what sheet.glsl asks for. Precondition: has_locals().
+  void bind_sheets(GlState& state, const DrawProgram& program, const SheetDirections& directions) const;
   /// Whether all parts are there.
-  bool complete() const { return columns_ > 0 && tables_[hues] && (tables_[maps] || tables_[points]); }
+  bool complete() const { return columns_ > 0 && tables_[hues] && tables_[has_locals() ? maps : points]; }
   /// Whether there are local patches to show.
   bool has_locals() const { return kind_ <= Kind::polynomials; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  /// Steps in a knot interval.
-  glm::ivec2 steps() const { return steps_; }
+  /// Steps in the finest knot interval each way.
+  glm::ivec2 finest_steps() const { return finest_steps_; }
   /// Since start.
   double uploaded_bytes() const { return uploaded_bytes_; }
   /// The context is gone: forgets every GL name without touching GL.
@@ -57,17 +60,19 @@ class SurfaceTextures {
     maps,
     hues,
     coefficients,
+    grid,
     table_count
   };
 
   template <class Tables>
   void begin(Kind kind, const Tables& tables);
+  void upload(const SampleGrid& lines);
   void set(Table table, int width, int height, std::span<const float> texels);
 
   Kind kind_ = Kind::sub_surfaces;
   std::array<Texture, table_count> tables_;
   std::array<glm::ivec2, table_count> sizes_{};
-  glm::ivec2 steps_{1}, degrees_{-1};
+  glm::ivec2 finest_steps_{1}, intervals_{1}, degrees_{-1};
   int columns_ = 0, rows_ = 0;
   double uploaded_bytes_ = 0;
 };

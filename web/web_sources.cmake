@@ -9,6 +9,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   holding.cpp
   interaction.cpp
   patch_drag.cpp
+  stage_grid.cpp
   theme.cpp)
 
 # The browser's part.
@@ -62,6 +63,7 @@ set(KNOTWORK_SHADERS
   shaders/shadow.frag
   shaders/shadow.vert
   shaders/sheet.frag
+  shaders/sheet.glsl
   shaders/sheet.vert
   shaders/surface.frag
   shaders/surface.vert)

@@ -28,6 +28,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/spline_pieces.cpp
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
+  knotwork/mesh/fitted_grid.cpp
   knotwork/mesh/net_tables.cpp
   knotwork/mesh/surface_sampling.cpp
   knotwork/mesh/surface_tables.cpp
@@ -72,6 +73,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/spline_pieces.h
   knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
+  knotwork/mesh/fitted_grid.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/net_tables.h
   knotwork/mesh/surface_sampling.h

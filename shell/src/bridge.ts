@@ -103,6 +103,10 @@ export class Bridge {
   reducedMotion(reduced: boolean): void {
     this.number('knotwork_reduced_motion', Number(reduced));
   }
+  /// The module's second part is here.
+  complete(): void {
+    this.number('knotwork_complete');
+  }
   /// Whether the stage can draw now.
   context(present: boolean): boolean {
     return this.number('knotwork_context', Number(present)) !== 0;

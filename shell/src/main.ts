@@ -59,7 +59,10 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
       // Not over a message that has come up since.
       if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
       // Who waits for the page to be ready may ask for anything; the figure is alive before.
-      void second.fetch().catch(console.warn).finally(() => api.settle());
+      void second
+        .fetch()
+        .then(() => bridge.complete(), console.warn)
+        .finally(() => api.settle());
     }),
   );
 }

@@ -177,7 +177,7 @@ pageTest('the panel is a drawer on a phone', { size: [390, 844], scale: 2, touch
 });
 
 pageTest('items of the panel lie on the stage and are large enough to hit', {}, async (page) => {
-  await showMore(page, 'display.wireframe');
+  await showMore(page, 'samples.u');
   const stage = await page.locator('canvas').boundingBox();
   for (const { label, rect: [x, y, w, h] } of await call(page, 'widgets')) {
     assert.ok(w >= 16 && h >= 16, `${label} is ${w} by ${h}`);

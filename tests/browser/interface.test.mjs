@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
   call, difference, distance, documentOf, dot, drag, frontHandle, grid, handlesOf, parameter, picture, settled,
-  statsOf, surfaceOf,
+  stageRect, statsOf, surfaceOf,
 } from './stage.mjs';
 
 pageTest('ready resolves, and every name of the interface is there', {}, async (page) => {
@@ -28,8 +28,8 @@ pageTest('parameters() has the rows of the table, each with a value in its range
   const rows = await call(page, 'parameters');
   const ids = rows.map((row) => row.id);
   for (const id of [
-    'topology.u', 'topology.v', 'model', 'locals.u', 'locals.v', 'blending.function', 'blending.parameter', 'samples.u',
-    'samples.v', 'display.surface', 'display.colours', 'display.knots', 'display.wireframe', 'display.locals',
+    'topology.u', 'topology.v', 'model', 'locals.u', 'locals.v', 'blending.function', 'blending.parameter',
+    'samples.adaptive', 'samples.u', 'samples.v', 'display.surface', 'display.colours', 'display.knots', 'display.wireframe', 'display.locals',
     'display.frames', 'display.normals', 'display.handles', 'animation.playing', 'animation.time', 'animation.speed',
     'motion.kind', 'motion.amplitude', 'motion.translation', 'motion.rotation',
   ]) {
@@ -341,6 +341,36 @@ pageTest('stats() counts frames and bytes, and tells of the last frame', { drawn
   assert.ok(after.frames > before.frames && after.uploadBytes > before.uploadBytes);
 });
 
+pageTest('a grid fitted to the screen follows the view; who asks for samples gets them', { full: true }, async (page) => {
+  const vertices = async () => {
+    await settled(page);
+    return (await statsOf(page)).vertices;
+  };
+  assert.equal(await page.evaluate(() => window.knotwork.document().display.adaptive), true);
+  const zoom = async (turns) => {
+    const stage = await stageRect(page);
+    await page.mouse.move(stage.x + stage.width / 2, stage.y + stage.height / 2);
+    await page.keyboard.down('Control');
+    for (let k = 0; k < Math.abs(turns); ++k) await page.mouse.wheel(0, 200 * Math.sign(turns));
+    await page.keyboard.up('Control');
+  };
+  const near = await vertices();
+  await zoom(12);
+  const far = await vertices();
+  assert.ok(far < near / 4, `${far} vertices from afar, ${near} near by`);
+
+  await call(page, 'set', 'samples.u', 96);
+  assert.equal(await page.evaluate(() => window.knotwork.document().display.adaptive), false);
+  const fixed = await vertices();
+  assert.ok(fixed > far, `${fixed} vertices`);
+  await zoom(-12);
+  assert.equal(await vertices(), fixed);
+  await call(page, 'set', 'samples.adaptive', true);
+  assert.ok((await vertices()) !== fixed);
+  await call(page, 'undo');
+  assert.equal(await vertices(), fixed);
+});
+
 const costs = 'a frame of an animation uploads and allocates the same whatever the vertices; so does an edit of a net';
 pageTest(costs, {}, async (page) => {
   /// What the fourth of five frames took.
@@ -351,6 +381,7 @@ pageTest(costs, {}, async (page) => {
           const { knotwork } = window;
           const document = knotwork.document();
           Object.assign(document.objects[0], change);
+          document.display.adaptive = false;
           document.animation.playing = true;
           knotwork.load(document);
           const seen = [knotwork.stats()];
@@ -382,7 +413,7 @@ pageTest(costs, {}, async (page) => {
   await page.evaluate(() => {
     const document = window.knotwork.document();
     document.objects[0].samples = { u: 500, v: 500 };
-    document.display.surface = false;  // drawn in software, it would take all the time
+    document.display.surface = document.display.adaptive = false;  // drawn in software, it would take all the time
     window.knotwork.load(document);
   });
   await settled(page);

@@ -119,6 +119,7 @@ async function loadLean(page, surface) {
     document.objects[0].samples = { u: 24, v: 16 };
     document.objects[0].patches = [];
     document.display.surface = surface;
+    document.display.adaptive = false;
     window.knotwork.load(document);
   }, surface);
 }

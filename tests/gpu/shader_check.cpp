@@ -8,8 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -110,18 +113,22 @@ GLuint compiled(GLenum stage, const std::string& source) {
   return shader;
 }
 
-/// blending.glsl with its vertices as output.
-DrawProgram make_feedback_program() {
+/// A program whose output is the point and the normal of `vertex`, an expression of a vertex with both.
+DrawProgram make_feedback_program(std::initializer_list<std::string_view> files, const std::string& uniforms,
+                                  const std::string& vertex) {
   const std::string head = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+  std::string source = head;
+  for (const std::string_view file : files) source += shader_source(file);
   const GLuint program = glCreateProgram();
-  glAttachShader(program, compiled(GL_VERTEX_SHADER, head + std::string(shader_source("blending.glsl")) + R"(
+  glAttachShader(program, compiled(GL_VERTEX_SHADER, source + uniforms + R"(
 uniform int u_rows;
 out vec3 found_point;
 out vec3 found_normal;
 void main() {
-  SurfaceVertex surface = surface_vertex(ivec2(gl_VertexID / u_rows, gl_VertexID % u_rows));
-  found_point = surface.point;
-  found_normal = surface.normal;
+  ivec2 vertex = ivec2(gl_VertexID / u_rows, gl_VertexID % u_rows);
+  )" + vertex + R"(
+  found_point = found.point;
+  found_normal = found.normal;
   gl_Position = vec4(0.0);
   gl_PointSize = 1.0;
 })"));
@@ -144,44 +151,44 @@ std::vector<float> read(const Buffer& buffer, std::size_t vertices) {
   return values;
 }
 
-/// The grid's parameters.
-struct Grid {
-  std::vector<double> u, v;
-};
+template <class Surface>
+SampleGrid grid_of(const Surface& surface, const Case& test) {
+  GridSteps steps = even_steps(surface.knots_u(), surface.knots_v(), test.samples, test.samples);
+  // Some intervals finer than others, the same way from both ends, as twisted seams want it.
+  for (std::vector<int>* direction : {&steps.u, &steps.v}) {
+    direction->front() += 3;
+    direction->back() = direction->front();
+  }
+  return sample_grid(surface.knots_u(), surface.knots_v(), steps, Seam::repeated);
+}
 
-Grid upload(SurfaceTextures& textures, const BlendingSurface& surface, const Case& test) {
-  const BlendingTables tables = blending_tables(surface, test.samples, test.samples);
+SampleGrid upload(SurfaceTextures& textures, const BlendingSurface& surface, const Case& test) {
+  const BlendingTables tables = blending_tables(surface, grid_of(surface, test));
   std::vector<float> maps = map_table(surface);
   maps[12 * 5 + 3] += static_cast<float>(test.nudge);
   textures.upload(tables);
   textures.upload_maps(maps, tables.counts.u, tables.counts.v);
-  return {tables.u, tables.v};
+  return tables.grid;
 }
 
-Grid upload(SurfaceTextures& textures, const BSplineSurface& surface, const Case& test) {
-  const NetTables tables = net_tables(surface, test.samples, test.samples);
+SampleGrid upload(SurfaceTextures& textures, const BSplineSurface& surface, const Case& test) {
+  const NetTables tables = net_tables(surface, grid_of(surface, test));
   textures.upload(tables);
   textures.upload_net(point_table(surface), surface.knots_u().count(), surface.knots_v().count());
-  return {tables.u, tables.v};
+  return tables.grid;
 }
 
-/// The largest distance from the core's points, over the surface's size, and the largest angle to its normals in radians.
-template <class Surface>
-void compare(const DrawProgram& program, const Case& test, const Surface& surface) {
-  SurfaceTextures textures;
-  const Grid grid = upload(textures, surface, test);
-  textures.upload_hues(std::array{glm::vec3(0)}, 1, 1);
-
-  const std::size_t vertices = grid.u.size() * grid.v.size();
+/// What a program makes of so many vertices: three floats each.
+struct Found {
+  std::vector<float> points, normals;
+};
+Found feed_back(const DrawProgram& program, GlState& state, std::size_t vertices) {
   const Buffer points = make_buffer(), normals = make_buffer();
   for (GLuint k = 0; k < 2; ++k) {
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, k, (k == 0 ? points : normals).get());
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLsizeiptr>(12 * vertices), nullptr, GL_STREAM_READ);
   }
-  GlState state;
   state.use(program);
-  textures.bind(state, program);
-  program.set("u_rows", textures.rows());
   const VertexArray none = make_vertex_array();
   state.bind(none);
   glEnable(GL_RASTERIZER_DISCARD);
@@ -190,26 +197,124 @@ void compare(const DrawProgram& program, const Case& test, const Surface& surfac
   glEndTransformFeedback();
   glDisable(GL_RASTERIZER_DISCARD);
   for (GLuint k = 0; k < 2; ++k) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, k, 0);
-  const std::vector<float> found_points = read(points, vertices), found_normals = read(normals, vertices);
+  return {read(points, vertices), read(normals, vertices)};
+}
 
-  double far = 0, size = 0, angle = 0;
-  int with_normal = 0;
-  for (std::size_t a = 0; a < grid.u.size(); ++a) {
-    for (std::size_t b = 0; b < grid.v.size(); ++b) {
-      const std::size_t k = 3 * (a * grid.v.size() + b);
-      const SurfaceJet jet = surface.evaluate(grid.u[a], grid.v[b]);
-      const Eigen::Vector3d point = Eigen::Vector3f(&found_points[k]).cast<double>();
-      far = std::max(far, (point - jet.s).norm());
-      size = std::max(size, jet.s.norm());
-      const Eigen::Vector3d normal = jet.su.cross(jet.sv);
-      if (!test.smooth || normal.norm() < 0.05 * jet.su.norm() * jet.sv.norm() || normal.norm() < 1e-3) continue;
-      const Eigen::Vector3d found = Eigen::Vector3f(&found_normals[k]).cast<double>();
-      angle = std::max(angle, std::atan2(found.cross(normal).norm(), found.dot(normal)));
-      ++with_normal;
+/// The largest distance from the core's points, over the surface's size, and the largest angle to its normals in radians.
+class Comparison {
+ public:
+  void look(const Found& found, std::size_t vertex, const SurfaceJet& jet, bool smooth) {
+    ++vertices_;
+    const Eigen::Vector3d point = Eigen::Vector3f(&found.points[3 * vertex]).cast<double>();
+    far_ = std::max(far_, (point - jet.s).norm());
+    size_ = std::max(size_, jet.s.norm());
+    const Eigen::Vector3d normal = jet.su.cross(jet.sv);
+    if (!smooth || normal.norm() < 0.05 * jet.su.norm() * jet.sv.norm() || normal.norm() < 1e-3) return;
+    const Eigen::Vector3d seen = Eigen::Vector3f(&found.normals[3 * vertex]).cast<double>();
+    angle_ = std::max(angle_, std::atan2(seen.cross(normal).norm(), seen.dot(normal)));
+    ++with_normal_;
+  }
+  void print(const std::string& name) const {
+    std::printf("{\"name\": \"%s\", \"vertices\": %d, \"point\": %.3g, \"normals\": %d, \"angle\": %.3g, \"gl\": %u}\n",
+                name.c_str(), vertices_, far_ / size_, with_normal_, angle_, glGetError());
+  }
+
+ private:
+  double far_ = 0, size_ = 0, angle_ = 0;
+  int vertices_ = 0, with_normal_ = 0;
+};
+
+template <class Surface>
+void compare(const DrawProgram& program, const Case& test, const Surface& surface) {
+  SurfaceTextures textures;
+  const SampleGrid grid = upload(textures, surface, test);
+  textures.upload_hues(std::array{glm::vec3(0)}, 1, 1);
+  GlState state;
+  state.use(program);
+  textures.bind(state, program);
+  program.set("u_rows", textures.rows());
+  const Found found = feed_back(program, state, grid.u.size() * grid.v.size());
+  Comparison comparison;
+  for (std::size_t a = 0; a < grid.u.size(); ++a)
+    for (std::size_t b = 0; b < grid.v.size(); ++b)
+      comparison.look(found, a * grid.v.size() + b, surface.evaluate(grid.u[a], grid.v[b]), test.smooth);
+  comparison.print(test.name);
+}
+
+/// The parameter that is `offset` steps of the finest interval away from a knot, however often it goes round, as the sheet
+/// has it: in a coarser interval the grid's next one on the way back.
+std::optional<double> sheet_parameter(const KnotVector& knots, const std::vector<double>& t,
+                                      const std::vector<int>& starts, int finest, int knot, int offset) {
+  const int intervals = static_cast<int>(starts.size()) - 1;
+  const int whole = static_cast<int>(std::floor(static_cast<double>(offset) / finest));
+  int interval = knot + whole, turns = 0;
+  if (knots.closed()) {
+    turns = static_cast<int>(std::floor(static_cast<double>(interval) / intervals));
+    interval -= turns * intervals;
+  } else if (interval < 0 || interval >= intervals) {
+    return std::nullopt;  // drawn at the end
+  }
+  const auto at = static_cast<std::size_t>(interval);
+  const int part = (offset - whole * finest) * (starts[at + 1] - starts[at]) / finest;
+  return t[static_cast<std::size_t>(starts[at] + part)] + turns * knots.period();
+}
+
+/// Every local patch over its support.
+void compare_sheets(const DrawProgram& program, const Case& test, const BlendingSurface& surface) {
+  SurfaceTextures textures;
+  const SampleGrid grid = upload(textures, surface, test);
+  textures.upload_hues(std::array{glm::vec3(0)}, 1, 1);
+  const glm::ivec2 steps = textures.finest_steps(), size = 2 * steps + 1;
+  GlState state;
+  state.use(program);
+  textures.bind_sheets(state, program, sheet_directions(surface));
+  program.set("u_rows", size.y);
+  Comparison comparison;
+  for (int i = 0; i < surface.knots_u().count(); ++i) {
+    for (int j = 0; j < surface.knots_v().count(); ++j) {
+      program.set("u_local", glm::ivec2(i, j));
+      const Found found =
+          feed_back(program, state, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+      for (int a = 0; a < size.x; ++a) {
+        const auto u = sheet_parameter(surface.knots_u(), grid.u, grid.starts_u, steps.x, i, a - steps.x);
+        for (int b = 0; b < size.y; ++b) {
+          const auto v = sheet_parameter(surface.knots_v(), grid.v, grid.starts_v, steps.y, j, b - steps.y);
+          // Where a model's pieces meet, what a piece would be beyond its own domain is not what comes there.
+          const bool inside = u && v && surface.knots_u().reduced(*u) == *u && surface.knots_v().reduced(*v) == *v;
+          if (u && v && (test.smooth || inside))
+            comparison.look(found, static_cast<std::size_t>(a * size.y + b), surface.evaluate_local(i, j, *u, *v),
+                            test.smooth);
+        }
+      }
     }
   }
-  std::printf("{\"name\": \"%s\", \"vertices\": %zu, \"point\": %.3g, \"normals\": %d, \"angle\": %.3g, \"gl\": %u}\n",
-              test.name.c_str(), vertices, far / size, with_normal, angle, glGetError());
+  comparison.print("sheets of " + test.name);
+}
+
+/// A surface that the CPU evaluates: points and normals come through as they are.
+void compare_evaluated(const DrawProgram& program) {
+  const ModelSurface model = make_catalogue_surface("sphere").value();
+  const SurfaceDomain where = domain(model);
+  const KnotVector u = even(5, Topology::closed, where.u), v = even(5, Topology::open, where.v);
+  const BlendingSurface surface =
+      BlendingSurface::make(model, u, v, BlendingFunction::make(BlendingKind::polynomial2).value(),
+                            BlendingSurface::unmoved_locals(model, u, v))
+          .value();
+  const SurfaceTables tables = surface_tables(knotted_surface(surface), sample_grid(u, v, 60, 50, Seam::repeated));
+  SurfaceTextures textures;
+  textures.upload(tables);
+  textures.upload_hues(std::array{glm::vec3(0)}, 1, 1);
+  GlState state;
+  state.use(program);
+  textures.bind(state, program);
+  program.set("u_rows", textures.rows());
+  const auto rows = tables.grid.v.size();
+  const Found found = feed_back(program, state, tables.grid.u.size() * rows);
+  Comparison comparison;
+  for (std::size_t a = 0; a < tables.grid.u.size(); ++a)
+    for (std::size_t b = 0; b < rows; ++b)
+      comparison.look(found, a * rows + b, surface.evaluate(tables.grid.u[a], tables.grid.v[b]), true);
+  comparison.print("an evaluated sphere");
 }
 
 }  // namespace
@@ -222,8 +327,15 @@ int main() {
   attributes.majorVersion = 2;
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context("#stage", &attributes);
   if (context <= 0 || emscripten_webgl_make_context_current(context) != EMSCRIPTEN_RESULT_SUCCESS) return 1;
-  const DrawProgram program = make_feedback_program();
-  for (const Case& test : all_cases())
+  const DrawProgram program =
+      make_feedback_program({"blending.glsl"}, "", "SurfaceVertex found = surface_vertex(vertex);");
+  const DrawProgram sheets = make_feedback_program({"blending.glsl", "sheet.glsl"}, "uniform ivec2 u_local;",
+                                                   "SheetVertex found = sheet_vertex(u_local, vertex - u_steps);");
+  for (const Case& test : all_cases()) {
     std::visit([&](const auto& surface) { compare(program, test, surface); }, test.surface);
+    const auto* blending = std::get_if<knotwork::BlendingSurface>(&test.surface);
+    if (blending && blending->knots_u().count() < 20) compare_sheets(sheets, test, *blending);
+  }
+  compare_evaluated(program);
   return 0;
 }

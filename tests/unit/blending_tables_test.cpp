@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 
+#include "unit/even_grid.h"
 #include "unit/oracle.h"
 
 namespace knotwork::blending_tables_test {
@@ -34,8 +35,8 @@ struct ShaderVertex {
 ShaderVertex shade_polynomials(const BlendingTables& tables, const std::vector<float>& maps, int columns, std::size_t a,
                                std::size_t b) {
   const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
-  const float* at_u = &tables.blend_u[4 * (a + static_cast<std::size_t>(tables.columns))];
-  const float* at_v = &tables.blend_v[4 * (b + static_cast<std::size_t>(tables.rows))];
+  const float* at_u = &tables.blend_u[4 * (a + static_cast<std::size_t>(tables.grid.columns()))];
+  const float* at_v = &tables.blend_v[4 * (b + static_cast<std::size_t>(tables.grid.rows()))];
   ShaderVertex sum{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
   for (std::size_t k = 0; k < 2; ++k) {
     for (std::size_t l = 0; l < 2; ++l) {
@@ -75,7 +76,7 @@ ShaderVertex shade(const BlendingTables& tables, const std::vector<float>& maps,
                    std::size_t b) {
   if (tables.degree_u >= 0) return shade_polynomials(tables, maps, columns, a, b);
   const float *bu = &tables.blend_u[4 * a], *bv = &tables.blend_v[4 * b];
-  const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.rows) + b);
+  const std::size_t vertex = 4 * (a * static_cast<std::size_t>(tables.grid.rows()) + b);
   using Map = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
   const auto map = [&](float i, float j) {
     return Map(Eigen::Map<const Map>(
@@ -96,19 +97,19 @@ TEST_CASE("the shader's arithmetic on the tables gives the surface to float prec
   for (const Topology topology_u : {Topology::open, Topology::closed}) {
     for (const Topology topology_v : {Topology::open, Topology::closed}) {
       const BlendingSurface surface = moved_surface(topology_u, topology_v);
-      const BlendingTables tables = blending_tables(surface, 24, 20);
+      const BlendingTables tables = blending_tables(surface, test::grid_of(surface, 24, 20));
       const std::vector<float> maps = map_table(surface);
       REQUIRE(maps.size() == 12 * 12);
-      REQUIRE(tables.u.size() == static_cast<std::size_t>(tables.columns));
-      REQUIRE(tables.v.size() == static_cast<std::size_t>(tables.rows));
-      REQUIRE(tables.blend_u.size() == 8 * tables.u.size());
-      REQUIRE(tables.blend_v.size() == 8 * tables.v.size());
-      REQUIRE(tables.points.size() == 4 * tables.u.size() * tables.v.size());
-      CHECK(tables.u.back() == surface.knots_u().end());
-      CHECK(tables.v.back() == surface.knots_v().end());
-      for (std::size_t a = 0; a < tables.u.size(); ++a) {
-        for (std::size_t b = 0; b < tables.v.size(); ++b) {
-          const SurfaceJet jet = surface.evaluate(tables.u[a], tables.v[b]);
+      REQUIRE(tables.grid.u.size() == static_cast<std::size_t>(tables.grid.columns()));
+      REQUIRE(tables.grid.v.size() == static_cast<std::size_t>(tables.grid.rows()));
+      REQUIRE(tables.blend_u.size() == 8 * tables.grid.u.size());
+      REQUIRE(tables.blend_v.size() == 8 * tables.grid.v.size());
+      REQUIRE(tables.points.size() == 4 * tables.grid.u.size() * tables.grid.v.size());
+      CHECK(tables.grid.u.back() == surface.knots_u().end());
+      CHECK(tables.grid.v.back() == surface.knots_v().end());
+      for (std::size_t a = 0; a < tables.grid.u.size(); ++a) {
+        for (std::size_t b = 0; b < tables.grid.v.size(); ++b) {
+          const SurfaceJet jet = surface.evaluate(tables.grid.u[a], tables.grid.v[b]);
           const ShaderVertex vertex = shade(tables, maps, surface.knots_v().count(), a, b);
           REQUIRE(close(vertex.s.cast<double>(), jet.s, 1e-6, 1));
           REQUIRE(close(vertex.su.cast<double>(), jet.su, 2e-6, 1));
@@ -146,18 +147,18 @@ TEST_CASE("the shader's arithmetic over twisted seams: the model's point is shar
               .value();
       surface.set_local(0, 0, Eigen::Affine3d(Eigen::Translation3d(0.2, 0, 0.3) * surface.local(0, 0)));
       surface.set_local(2, 2, Eigen::Affine3d(surface.local(2, 2) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX())));
-      const BlendingTables tables = blending_tables(surface, 24, 20);
+      const BlendingTables tables = blending_tables(surface, test::grid_of(surface, 24, 20));
       const MapCounts counts = map_counts(surface);
       CHECK(counts.u == row.maps_u);
       CHECK(counts.v == row.maps_v);
       CHECK(tables.points.empty() == (kind == LocalSurfaceKind::bezier_hermite));
       const std::vector<float> maps = map_table(surface);
       REQUIRE(maps.size() == static_cast<std::size_t>(12 * counts.u * counts.v));
-      for (std::size_t a = 0; a < tables.u.size(); ++a) {
-        for (std::size_t b = 0; b < tables.v.size(); ++b) {
+      for (std::size_t a = 0; a < tables.grid.u.size(); ++a) {
+        for (std::size_t b = 0; b < tables.grid.v.size(); ++b) {
           CAPTURE(a);
           CAPTURE(b);
-          const SurfaceJet jet = surface.evaluate(tables.u[a], tables.v[b]);
+          const SurfaceJet jet = surface.evaluate(tables.grid.u[a], tables.grid.v[b]);
           const ShaderVertex vertex = shade(tables, maps, counts.v, a, b);
           REQUIRE(close(vertex.s.cast<double>(), jet.s, 1e-6, 2));
           // The classic Klein bottle's partials jump where its pieces meet.
@@ -165,7 +166,7 @@ TEST_CASE("the shader's arithmetic over twisted seams: the model's point is shar
           REQUIRE(close(vertex.su.cast<double>(), jet.su, 3e-6, 4));
           REQUIRE(close(vertex.sv.cast<double>(), jet.sv, 3e-6, 4));
           // The hues' weights: of the very locals that the CPU names.
-          const auto weights = surface.weights(tables.u[a], tables.v[b]);
+          const auto weights = surface.weights(tables.grid.u[a], tables.grid.v[b]);
           double sum = 0;
           for (const BlendingSurface::Weight& w : weights) sum += w.value;
           REQUIRE(close(sum, 1, 1e-14));
@@ -185,8 +186,9 @@ TEST_CASE("the shader's arithmetic over twisted seams: the model's point is shar
 
 TEST_CASE("a repeated seam is the same numbers twice") {
   const BlendingSurface surface = moved_surface(Topology::closed, Topology::closed);
-  const BlendingTables tables = blending_tables(surface, 9, 8);
-  const auto rows = static_cast<std::size_t>(tables.rows), last = static_cast<std::size_t>(tables.columns) - 1;
+  const BlendingTables tables = blending_tables(surface, test::grid_of(surface, 9, 8));
+  const auto rows = static_cast<std::size_t>(tables.grid.rows()),
+             last = static_cast<std::size_t>(tables.grid.columns()) - 1;
   for (std::size_t k = 0; k < 4 * rows; ++k) CHECK(tables.points[k] == tables.points[4 * last * rows + k]);
   for (std::size_t k = 0; k < 4; ++k) CHECK(tables.blend_u[k] == tables.blend_u[4 * last + k]);
   for (std::size_t k = 0; k < 4; ++k) CHECK(tables.blend_v[k] == tables.blend_v[4 * (rows - 1) + k]);
@@ -194,10 +196,10 @@ TEST_CASE("a repeated seam is the same numbers twice") {
 
 TEST_CASE("only the map table follows a moved local") {
   BlendingSurface surface = moved_surface(Topology::closed, Topology::open);
-  const BlendingTables before = blending_tables(surface, 12, 12);
+  const BlendingTables before = blending_tables(surface, test::grid_of(surface, 12, 12));
   const std::vector<float> maps_before = map_table(surface);
   surface.set_local(1, 2, Eigen::Affine3d(Eigen::Translation3d(0, 0, 1) * surface.local(1, 2)));
-  const BlendingTables after = blending_tables(surface, 12, 12);
+  const BlendingTables after = blending_tables(surface, test::grid_of(surface, 12, 12));
   CHECK(before.points == after.points);
   CHECK(before.partials_u == after.partials_u);
   CHECK(before.blend_v == after.blend_v);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -66,12 +67,44 @@ scene::CurveFigure report_curve() {
 TEST_CASE("a drawn curve stays within half a pixel of the curve, however near one looks") {
   const scene::CurveFigure figure = report_curve();
   const CurveView curve = curve_view(figure.curve);
-  for (const double distance : {8.0, 1.0, 0.3, 0.06}) {
+  for (const double distance : {8.0, 1.0, 0.3, 0.06, 0.01, 1e-3}) {
     for (const double t : {0.1, 0.37, 0.62, 0.9}) {
       CAPTURE(distance);
       CAPTURE(t);
       const double at = std::lerp(curve.start, curve.end, t);
       CHECK(drawn(looking_at(curve(at), distance), curve, figure.samples).error < 0.5);
+      // Beside the curve, so that it passes the edge of the picture.
+      const Eigen::Vector3d beside = curve(at) + 0.2 * distance * Eigen::Vector3d(0.6, -0.8, 0.1);
+      CHECK(drawn(looking_at(beside, distance), curve, figure.samples).error < 0.5);
+    }
+  }
+}
+
+TEST_CASE("a stretch that bows into the picture from beside it, or whose neighbours lie behind the eye, is cut too") {
+  const CatalogueCurve circle = make_catalogue_curve("circle").value();
+  const CurveView curve = curve_view(circle);
+  std::vector<scene::CurveSample> samples;
+  constexpr int steps = 64;
+  for (int k = 0; k <= steps; ++k) {
+    const double t = std::lerp(curve.start, curve.end, static_cast<double>(k) / steps);
+    samples.push_back({t, curve(t)});
+  }
+  constexpr double share = 10.5 / steps, along = 2 * std::numbers::pi * share;
+  const Eigen::Vector3d middle = curve(std::lerp(curve.start, curve.end, share));
+  for (const double distance : {0.3, 0.05, 0.02}) {
+    // From above, where the stretch lies level in the picture, and along the curve.
+    for (const auto& [azimuth, elevation] : {std::pair(along, 1.5533), std::pair(along + std::numbers::pi / 2, 0.05)}) {
+      for (const glm::dvec2 way : {glm::dvec2(0, 394), glm::dvec2(0, -394), glm::dvec2(594, 0), glm::dvec2(-594, 0)}) {
+        CAPTURE(distance);
+        CAPTURE(elevation);
+        CAPTURE(way.x);
+        CAPTURE(way.y);
+        // The middle of the stretch is 6 pixels inside an edge of the picture.
+        const View centred = make_view({middle, distance, azimuth, elevation}, viewport);
+        const glm::dvec3 shift = centred.pixel_size(to_glm(middle)) * (way.x * centred.right + way.y * centred.up);
+        const Eigen::Vector3d target = middle + Eigen::Vector3d(shift.x, shift.y, shift.z);
+        CHECK(drawn(make_view({target, distance, azimuth, elevation}, viewport), curve, samples).error < 0.5);
+      }
     }
   }
 }

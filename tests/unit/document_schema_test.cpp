@@ -34,6 +34,7 @@ class SchemaComparison {
     for (const auto& [name, value] : properties.items()) stated.insert(name);
     for (const Json& name : schema.value("required", Json::array())) required.insert(name.get<std::string>());
     expect(stated == names_, "properties");
+    for (const std::string& name : later_) names_.erase(name);
     expect(required == names_, "required");
     schema_ = outer;
     names_ = std::move(outer_names);
@@ -42,6 +43,10 @@ class SchemaComparison {
   void constant(std::string_view name, std::string_view value) { equal(member(name), "const", std::string(value)); }
   void constant(std::string_view name, int value) { equal(member(name), "const", value); }
   void toggle(std::string_view name, bool) { equal(member(name), "type", "boolean"); }
+  void later_toggle(std::string_view name, bool value) {
+    toggle(name, value);
+    later_.insert(std::string(name));
+  }
 
   void text(std::string_view name, const std::string&, const Limits& length, bool slug) {
     const Json& schema = member(name);
@@ -190,6 +195,7 @@ class SchemaComparison {
   const Json& root_;
   const Json* schema_;
   std::set<std::string> names_;
+  std::set<std::string> later_;  ///< not in older documents
   std::string last_, differences_;
   int compared_ = 0, models_ = 0, curves_ = 0;
   std::size_t shapes_ = 0;

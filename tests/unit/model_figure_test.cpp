@@ -12,6 +12,7 @@
 #include "knotwork/scene/history.h"
 #include "knotwork/scene/models.h"
 #include "knotwork/scene/picking.h"
+#include "unit/even_grid.h"
 
 namespace knotwork::scene::model_figure_test {
 namespace {
@@ -26,9 +27,9 @@ TEST_CASE("model figure: every surface of the catalogue is sampled without a gap
   for (const ModelRow& row : model_kinds()) {
     CAPTURE(row.id);
     const ModelFigure figure(make_model(row.kind));
-    const SurfaceTables tables = surface_tables(knotted_surface(figure), 48, 32);
-    REQUIRE(tables.columns == static_cast<int>(tables.u.size()));
-    REQUIRE(tables.points.size() == 4 * tables.u.size() * tables.v.size());
+    const SurfaceTables tables = surface_tables(knotted_surface(figure), test::grid_of(figure, 48, 32));
+    REQUIRE(tables.grid.columns() == static_cast<int>(tables.grid.u.size()));
+    REQUIRE(tables.points.size() == 4 * tables.grid.u.size() * tables.grid.v.size());
     int bad = 0;
     for (std::size_t k = 0; k < tables.normals.size(); k += 4) {
       const float length = std::hypot(tables.normals[k], tables.normals[k + 1], tables.normals[k + 2]);

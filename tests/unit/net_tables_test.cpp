@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "unit/even_grid.h"
 #include "unit/oracle.h"
 
 namespace knotwork::net_tables_test {
@@ -28,7 +29,7 @@ ShaderVertex shade(const NetTables& tables, const std::vector<float>& net, int n
   const auto at = [](const std::vector<float>& table, std::size_t across, std::size_t place, int row) {
     return &table[4 * (static_cast<std::size_t>(row) * across + place)];
   };
-  const std::size_t columns = tables.u.size(), rows = tables.v.size();
+  const std::size_t columns = tables.grid.u.size(), rows = tables.grid.v.size();
   const int first_u = static_cast<int>(at(tables.basis_u, columns, a, 0)[0]);
   const int first_v = static_cast<int>(at(tables.basis_v, rows, b, 0)[0]);
   ShaderVertex sum{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
@@ -58,14 +59,14 @@ TEST_CASE("the shader's arithmetic on a net's tables gives the surface to float 
     CAPTURE(row.p);
     CAPTURE(row.q);
     const BSplineSurface surface = surface_of(p, q, topology_u, topology_v);
-    const NetTables tables = net_tables(surface, 20, 15);
+    const NetTables tables = net_tables(surface, test::grid_of(surface, 20, 15));
     const std::vector<float> net = point_table(surface);
     REQUIRE(net.size() == 4 * 30);
-    REQUIRE(tables.basis_u.size() == 4 * static_cast<std::size_t>((p + 2) * tables.columns));
-    REQUIRE(tables.basis_v.size() == 4 * static_cast<std::size_t>((q + 2) * tables.rows));
-    for (std::size_t a = 0; a < tables.u.size(); ++a) {
-      for (std::size_t b = 0; b < tables.v.size(); ++b) {
-        const SurfaceJet jet = surface.evaluate(tables.u[a], tables.v[b]);
+    REQUIRE(tables.basis_u.size() == 4 * static_cast<std::size_t>((p + 2) * tables.grid.columns()));
+    REQUIRE(tables.basis_v.size() == 4 * static_cast<std::size_t>((q + 2) * tables.grid.rows()));
+    for (std::size_t a = 0; a < tables.grid.u.size(); ++a) {
+      for (std::size_t b = 0; b < tables.grid.v.size(); ++b) {
+        const SurfaceJet jet = surface.evaluate(tables.grid.u[a], tables.grid.v[b]);
         const ShaderVertex vertex = shade(tables, net, 6, 5, a, b);
         REQUIRE(close(vertex.s.cast<double>(), jet.s, 1e-6, 3));
         REQUIRE(close(vertex.su.cast<double>(), jet.su, 2e-6, 10));
@@ -77,8 +78,8 @@ TEST_CASE("the shader's arithmetic on a net's tables gives the surface to float 
 
 TEST_CASE("a net's repeated seam is the same numbers twice, and only the points follow a moved one") {
   const BSplineSurface surface = surface_of(3, 2, Topology::closed, Topology::closed);
-  const NetTables tables = net_tables(surface, 12, 10);
-  const std::size_t columns = tables.u.size();
+  const NetTables tables = net_tables(surface, test::grid_of(surface, 12, 10));
+  const std::size_t columns = tables.grid.u.size();
   for (std::size_t row = 0; row < 5; ++row) {
     for (std::size_t k = 0; k < 4; ++k)
       CHECK(tables.basis_u[4 * row * columns + k] == tables.basis_u[4 * ((row + 1) * columns - 1) + k]);
@@ -87,8 +88,8 @@ TEST_CASE("a net's repeated seam is the same numbers twice, and only the points 
   std::vector<Eigen::Vector3d> points(surface.points().begin(), surface.points().end());
   points[7].z() += 1;
   const BSplineSurface moved = BSplineSurface::make(surface.knots_u(), surface.knots_v(), points).value();
-  CHECK(net_tables(moved, 12, 10).basis_u == tables.basis_u);
-  CHECK(net_tables(moved, 12, 10).basis_v == tables.basis_v);
+  CHECK(net_tables(moved, test::grid_of(moved, 12, 10)).basis_u == tables.basis_u);
+  CHECK(net_tables(moved, test::grid_of(moved, 12, 10)).basis_v == tables.basis_v);
   const std::vector<float> before = point_table(surface), after = point_table(moved);
   for (std::size_t k = 0; k < before.size(); ++k) CHECK((before[k] != after[k]) == (k == 4 * 7 + 2));
 }

@@ -62,6 +62,7 @@ TEST_CASE("parameters: the table has exactly the promised rows, each complete") 
                                  "locals.v",
                                  "blending.function",
                                  "blending.parameter",
+                                 "samples.adaptive",
                                  "samples.u",
                                  "samples.v",
                                  "display.surface",

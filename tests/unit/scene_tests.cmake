@@ -16,6 +16,7 @@ set(KNOTWORK_SCENE_TESTS
   unit/document_schema_test.cpp
   unit/fit_edits_test.cpp
   unit/fit_figure_test.cpp
+  unit/fitted_grid_test.cpp
   unit/history_test.cpp
   unit/model_curve_figure_test.cpp
   unit/model_figure_test.cpp

@@ -29,11 +29,12 @@ TEST_CASE("a sample grid has whole steps in each interval and every knot") {
   const KnotVector open = KnotVector::make(1, Topology::open, {0, 0, 0.25, 1, 1}).value();
   const KnotVector closed = knots(4, Topology::closed, -2, 2);
   const SampleGrid grid = sample_grid(open, closed, 3, 5, Seam::repeated);
-  CHECK(grid.steps_u == 2);
-  CHECK(grid.steps_v == 2);
+  CHECK(grid.starts_u == std::vector<int>{0, 2, 4});
+  CHECK(grid.starts_v == std::vector<int>{0, 2, 4, 6, 8});
   CHECK(grid.u == std::vector<double>{0, 0.125, 0.25, 0.625, 1});
   CHECK(grid.v == std::vector<double>{-2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 2});
   const SampleGrid joined = sample_grid(open, closed, 3, 5, Seam::joined);
+  CHECK(joined.starts_v == grid.starts_v);
   CHECK(joined.u == grid.u);
   CHECK(joined.v == std::vector<double>{-2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5});
 }
@@ -46,6 +47,18 @@ TEST_CASE("at least one step an interval, three round a closed direction, no mor
     CHECK(grid.v.size() == 4);
   }
   CHECK(sample_grid(open, closed, 2000000000, 3, Seam::joined).u.size() == max_samples + 1);
+}
+
+TEST_CASE("each interval may have steps of its own") {
+  const KnotVector open = KnotVector::make(1, Topology::open, {0, 0, 0.25, 1, 1}).value();
+  const KnotVector closed = knots(3, Topology::closed, 0, 3);
+  const SampleGrid grid = sample_grid(open, closed, {{1, 3}, {2, 1, 4}}, Seam::repeated);
+  CHECK(grid.u == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
+  CHECK(grid.v == std::vector<double>{0, 0.5, 1, 2, 2.25, 2.5, 2.75, 3});
+  CHECK(grid.starts_u == std::vector<int>{0, 1, 4});
+  CHECK(grid.starts_v == std::vector<int>{0, 2, 3, 7});
+  CHECK(grid.columns() == 5);
+  CHECK(grid.rows() == 8);
 }
 
 TEST_CASE("empty knot intervals are not sampled") {

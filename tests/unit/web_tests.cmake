@@ -9,4 +9,5 @@ set(KNOTWORK_WEB_TESTS
   unit/interaction_test.cpp
   unit/local_curve_hold_test.cpp
   unit/patch_drag_test.cpp
+  unit/stage_grid_test.cpp
 )

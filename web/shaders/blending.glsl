@@ -20,6 +20,9 @@ uniform highp sampler2D u_blend_v;
 uniform highp sampler2D u_coefficients;  // texel (j (d_v+1) + q, i (d_u+1) + p): of x^p y^q of local (i, j)
 uniform highp sampler2D u_maps;        // texels (3j .. 3j+2, i): the rows of the 3x4 map of local (i, j)
 uniform highp sampler2D u_hues;        // texel (j, i): OKLab of local or control point (i, j)
+// Row 0 of u, 1 of v. Texel a: where column a lies, counted in knot intervals; the first column of interval a.
+uniform highp sampler2D u_grid;
+uniform ivec2 u_intervals;  // how many knot intervals each direction has
 
 struct SurfaceVertex {
   vec3 point;
@@ -35,6 +38,11 @@ vec3 normal_of(vec3 su, vec3 sv) {
 mat3x4 map_of(ivec2 local) {
   return mat3x4(texelFetch(u_maps, ivec2(3 * local.y, local.x), 0), texelFetch(u_maps, ivec2(3 * local.y + 1, local.x), 0),
                 texelFetch(u_maps, ivec2(3 * local.y + 2, local.x), 0));
+}
+
+// Where a vertex lies, counted in knot intervals.
+vec2 knot_place(ivec2 vertex) {
+  return vec2(texelFetch(u_grid, ivec2(vertex.x, 0), 0).x, texelFetch(u_grid, ivec2(vertex.y, 1), 0).x);
 }
 
 vec3 model_point(ivec2 vertex) { return texelFetch(u_points, vertex.yx, 0).xyz; }

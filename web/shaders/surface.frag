@@ -1,6 +1,7 @@
 centroid in vec3 v_point;
 centroid in vec3 v_normal;
 centroid in vec3 v_hue;
+in vec3 v_place;
 in vec2 v_grid;
 in vec2 v_knot;
 out vec4 colour;
@@ -38,7 +39,7 @@ float inside_support(float x, float start, float end, float period) {
 
 void main() {
   vec3 normal = v_normal;
-  if (dot(normal, normal) < 0.25) normal = cross(dFdx(v_point), dFdy(v_point));  // a pole: the facet's own normal
+  if (dot(normal, normal) < 0.25) normal = cross(dFdx(v_place), dFdy(v_place));  // a pole: the facet's own normal
   normal = normalize(normal);
   vec3 to_eye = normalize(u_eye - v_point);
   // The back is what faces away for certain: just behind a silhouette the smooth normal still looks at the reader.

@@ -47,14 +47,19 @@ std::vector<float> blend_table(const KnotVector& knots, const BlendingFunction& 
 void append_model(BlendingTables& tables, const ModelSurface& model, std::span<const double> u,
                   std::span<const double> v) {
   for (std::vector<float>* table : {&tables.points, &tables.partials_u, &tables.partials_v})
-    table->reserve(4 * u.size() * v.size());
+    table->resize(4 * u.size() * v.size());
   std::vector<SurfaceJet> jets(v.size());
+  std::size_t texel = 0;
   for (std::size_t a = 0; a < u.size(); ++a) {
     evaluate_grid(model, u.subspan(a, 1), v, jets);
     for (const SurfaceJet& jet : jets) {
-      append_point(tables.points, jet.s);
-      append_point(tables.partials_u, jet.su);
-      append_point(tables.partials_v, jet.sv);
+      for (int k = 0; k < 3; ++k) {
+        const std::size_t at = texel + static_cast<std::size_t>(k);
+        tables.points[at] = static_cast<float>(jet.s[k]);
+        tables.partials_u[at] = static_cast<float>(jet.su[k]);
+        tables.partials_v[at] = static_cast<float>(jet.sv[k]);
+      }
+      texel += 4;
     }
   }
 }
@@ -83,13 +88,8 @@ KNOTWORK_LATER std::vector<float> coefficient_table(const BlendingSurface& surfa
 
 }  // namespace
 
-BlendingTables blending_tables(const BlendingSurface& surface, int samples_u, int samples_v) {
-  SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), samples_u, samples_v, Seam::repeated);
+BlendingTables blending_tables(const BlendingSurface& surface, SampleGrid grid) {
   BlendingTables tables;
-  tables.columns = static_cast<int>(grid.u.size());
-  tables.rows = static_cast<int>(grid.v.size());
-  tables.steps_u = grid.steps_u;
-  tables.steps_v = grid.steps_v;
   const std::vector<double> u = table_parameters(surface.knots_u(), grid.u, surface.twist_u().has_value());
   const std::vector<double> v = table_parameters(surface.knots_v(), grid.v, surface.twist_v().has_value());
   tables.counts = map_counts(surface);
@@ -102,8 +102,7 @@ BlendingTables blending_tables(const BlendingSurface& surface, int samples_u, in
   }
   tables.blend_u = blend_table(surface.knots_u(), surface.blending(), u, surface.twist_u().has_value());
   tables.blend_v = blend_table(surface.knots_v(), surface.blending(), v, surface.twist_v().has_value());
-  tables.u = std::move(grid.u);
-  tables.v = std::move(grid.v);
+  tables.grid = std::move(grid);
   return tables;
 }
 

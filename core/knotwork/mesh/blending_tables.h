@@ -17,9 +17,8 @@ MapCounts map_counts(const BlendingSurface& surface);
 /// path"): it never changes while only the local maps move. Sub-surfaces need the model's points and partials at the
 /// vertices, Bezier-Hermite locals their polynomials and nothing a vertex.
 struct BlendingTables {
-  int columns = 0, rows = 0;  ///< vertices in u and v, seam repeated
-  int steps_u = 1, steps_v = 1;
-  /// x y z 0 a vertex, vertex a * rows + b for (u[a], v[b]). Of sub-surfaces only.
+  SampleGrid grid;
+  /// x y z 0 a vertex, vertex a * rows + b for (u[a], v[b]) of the grid. Of sub-surfaces only.
   std::vector<float> points, partials_u, partials_v;
   /// Two rows of four floats a column of the grid (blend_v: a row of it):
   ///   B(w), B'(w) delta, first local index, second local index;
@@ -33,9 +32,10 @@ struct BlendingTables {
   /// Beyond a twisted seam a local sees the other parameter from the other side: its odd coefficients are negative.
   std::vector<float> coefficients;
   MapCounts counts{0, 0};
-  std::vector<double> u, v;  ///< the grid's parameters
 };
-BlendingTables blending_tables(const BlendingSurface& surface, int samples_u, int samples_v);
+/// Precondition: the grid is of the surface's knots with the seam repeated, and as twisted seams need it: steps that a
+/// seam reflects onto each other are equal.
+BlendingTables blending_tables(const BlendingSurface& surface, SampleGrid grid);
 
 /// The dynamic part: 12 floats a local (i,j) at index i * counts.v + j, the rows of the 3x4 map M^_ij of a sub-surface
 /// or M_ij of a Bezier-Hermite local.

@@ -28,19 +28,13 @@ std::vector<float> basis_table(const KnotVector& knots, std::span<const double> 
 
 }  // namespace
 
-NetTables net_tables(const BSplineSurface& surface, int samples_u, int samples_v) {
-  SampleGrid grid = sample_grid(surface.knots_u(), surface.knots_v(), samples_u, samples_v, Seam::repeated);
+NetTables net_tables(const BSplineSurface& surface, SampleGrid grid) {
   NetTables tables;
-  tables.columns = static_cast<int>(grid.u.size());
-  tables.rows = static_cast<int>(grid.v.size());
-  tables.steps_u = grid.steps_u;
-  tables.steps_v = grid.steps_v;
   tables.degree_u = surface.knots_u().degree();
   tables.degree_v = surface.knots_v().degree();
   tables.basis_u = basis_table(surface.knots_u(), grid.u);
   tables.basis_v = basis_table(surface.knots_v(), grid.v);
-  tables.u = std::move(grid.u);
-  tables.v = std::move(grid.v);
+  tables.grid = std::move(grid);
   return tables;
 }
 

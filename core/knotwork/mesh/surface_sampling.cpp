@@ -2,31 +2,35 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork {
 namespace {
 
-int steps_per_interval(const KnotVector& knots, int samples) {
+std::vector<int> even_steps(const KnotVector& knots, int samples) {
   int intervals = 0;
   for (int i = knots.degree(); i <= knots.last_span(); ++i) intervals += knots[i] < knots[i + 1] ? 1 : 0;
-  // A closed direction of two steps would fold onto itself: its two edges join the same two vertices.
   const int least = knots.closed() ? 3 : 1;
   const int wanted = std::clamp(samples, least, max_samples);
-  return (wanted + intervals - 1) / intervals;
+  return std::vector<int>(static_cast<std::size_t>(intervals), (wanted + intervals - 1) / intervals);
 }
 
-std::vector<double> direction_samples(const KnotVector& knots, int steps, Seam seam) {
-  std::vector<double> t;
-  t.reserve(static_cast<std::size_t>(knots.interval_count()) * static_cast<std::size_t>(steps) + 1);
+void add_samples(std::vector<double>& t, std::vector<int>& starts, const KnotVector& knots, std::span<const int> steps,
+                 Seam seam) {
+  const int count = std::accumulate(steps.begin(), steps.end(), 0);
+  t.reserve(static_cast<std::size_t>(count) + 1);
+  starts.reserve(steps.size() + 1);
   for (int i = knots.degree(); i <= knots.last_span(); ++i) {
     const double width = knots[i + 1] - knots[i];
     if (!(width > 0)) continue;
-    for (int k = 0; k < steps; ++k) t.push_back(knots[i] + width * (static_cast<double>(k) / steps));
+    const int here = steps[starts.size()];
+    starts.push_back(static_cast<int>(t.size()));
+    for (int k = 0; k < here; ++k) t.push_back(knots[i] + width * (static_cast<double>(k) / here));
   }
+  starts.push_back(count);
   if (!knots.closed() || seam == Seam::repeated) t.push_back(knots.end());
-  return t;
 }
 
 void append(std::vector<float>& out, const Eigen::Vector3d& x) {
@@ -35,13 +39,19 @@ void append(std::vector<float>& out, const Eigen::Vector3d& x) {
 
 }  // namespace
 
-SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam) {
+SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, const GridSteps& steps, Seam seam) {
   SampleGrid grid;
-  grid.steps_u = steps_per_interval(knots_u, samples_u);
-  grid.steps_v = steps_per_interval(knots_v, samples_v);
-  grid.u = direction_samples(knots_u, grid.steps_u, seam);
-  grid.v = direction_samples(knots_v, grid.steps_v, seam);
+  add_samples(grid.u, grid.starts_u, knots_u, steps.u, seam);
+  add_samples(grid.v, grid.starts_v, knots_v, steps.v, seam);
   return grid;
+}
+
+GridSteps even_steps(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v) {
+  return {even_steps(knots_u, samples_u), even_steps(knots_v, samples_v)};
+}
+
+SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam) {
+  return sample_grid(knots_u, knots_v, even_steps(knots_u, knots_v, samples_u, samples_v), seam);
 }
 
 std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool wrap_v) {
@@ -78,12 +88,13 @@ MeshData sample(const BlendingSurface& surface, int samples_u, int samples_v, Se
   mesh.normals.reserve(3 * vertices);
   mesh.parameters.reserve(2 * vertices);
   // A twist reflects whole steps as it reflects locals: the knots are symmetric.
-  const auto wrap = [&](const KnotVector& knots, const std::optional<BlendingSurface::Twist>& twist, int other_steps) {
-    return GridWrap{joined && knots.closed(), twist ? twist->mirror * other_steps : -1};
+  const auto wrap = [&](const KnotVector& knots, const std::optional<BlendingSurface::Twist>& twist,
+                        const std::vector<int>& other_starts) {
+    return GridWrap{joined && knots.closed(), twist ? other_starts[static_cast<std::size_t>(twist->mirror)] : -1};
   };
   mesh.indices = grid_indices(static_cast<int>(columns), static_cast<int>(rows),
-                              wrap(surface.knots_u(), surface.twist_u(), grid.steps_v),
-                              wrap(surface.knots_v(), surface.twist_v(), grid.steps_u));
+                              wrap(surface.knots_u(), surface.twist_u(), grid.starts_v),
+                              wrap(surface.knots_v(), surface.twist_v(), grid.starts_u));
 
   // A strip of columns at a time bounds the memory of the double-precision jets.
   constexpr std::size_t jets_at_once = 16384;

@@ -13,18 +13,34 @@ namespace knotwork {
 /// twisted seam, which reflects the vertices along it, the same to rounding).
 enum class Seam : unsigned char { joined, repeated };
 
-/// The parameters of a sampling grid: every knot is sampled, `steps` equal steps in each knot interval.
+/// The parameters of a sampling grid: every knot is sampled, and each knot interval is cut into equal steps. As it is one
+/// grid in both directions, however fine each of its intervals, its triangles meet without cracks.
 struct SampleGrid {
   /// Sorted; a closed direction ends with its end parameter when repeated, one before when joined.
   std::vector<double> u, v;
-  int steps_u = 1, steps_v = 1;
+  /// Which sample each knot interval begins with; one more: how many steps there are. Empty intervals do not count.
+  std::vector<int> starts_u, starts_v;
+
+  int columns() const { return static_cast<int>(u.size()); }
+  int rows() const { return static_cast<int>(v.size()); }
+};
+
+/// How many steps each knot interval is cut into, at least 1. Empty intervals do not count.
+struct GridSteps {
+  std::vector<int> u, v;
+
+  bool operator==(const GridSteps&) const = default;
 };
 
 /// The most samples a direction that are honoured (one a knot interval is always made).
 inline constexpr int max_samples = 4096;
 
-/// A grid with about `samples_u` x `samples_v` steps: at least one a knot interval, rounded up to whole steps, and at
-/// least three round a closed direction.
+/// The grid with so many steps. Precondition: as many as each direction has intervals that are not empty, and three round
+/// a closed direction: of two the edges would join the same two vertices.
+SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, const GridSteps& steps, Seam seam);
+/// About `samples_u` x `samples_v` steps, as many in each interval of a direction: at least one, rounded up, and at least
+/// three round a closed direction.
+GridSteps even_steps(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v);
 SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam);
 
 /// Where a grid direction goes on at its end: nowhere, or at its start, there with index k of the other direction

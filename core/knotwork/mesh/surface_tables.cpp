@@ -12,13 +12,8 @@ void append_texel(std::vector<float>& out, const Eigen::Vector3d& x) {
 
 }  // namespace
 
-SurfaceTables surface_tables(const KnottedSurface& surface, int samples_u, int samples_v) {
-  SampleGrid grid = sample_grid(*surface.knots_u, *surface.knots_v, samples_u, samples_v, Seam::repeated);
+SurfaceTables surface_tables(const KnottedSurface& surface, SampleGrid grid) {
   SurfaceTables tables;
-  tables.columns = static_cast<int>(grid.u.size());
-  tables.rows = static_cast<int>(grid.v.size());
-  tables.steps_u = grid.steps_u;
-  tables.steps_v = grid.steps_v;
   tables.points.reserve(4 * grid.u.size() * grid.v.size());
   tables.normals.reserve(4 * grid.u.size() * grid.v.size());
   std::vector<SurfaceJet> jets(grid.v.size());
@@ -29,8 +24,7 @@ SurfaceTables surface_tables(const KnottedSurface& surface, int samples_u, int s
       append_texel(tables.normals, unit_normal(jet));
     }
   }
-  tables.u = std::move(grid.u);
-  tables.v = std::move(grid.v);
+  tables.grid = std::move(grid);
   return tables;
 }
 

@@ -26,6 +26,7 @@ struct Display {
   bool surface = true, patch_colours = true, knot_lines = true, wireframe = false;
   bool local_patches = false, frames = false, normals = false, handles = true;
   bool polygon = true, construction = true;  ///< of a curve: its control polygon, its construction at the parameter
+  bool adaptive = true;                      ///< a surface's grid is fitted to the screen, else it has its own samples
 
   bool operator==(const Display&) const = default;
 };

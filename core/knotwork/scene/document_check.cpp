@@ -25,6 +25,7 @@ class Checker {
   void constant(std::string_view, std::string_view) {}
   void constant(std::string_view, int) {}
   void toggle(std::string_view, bool) {}
+  void later_toggle(std::string_view, bool) {}
 
   void text(std::string_view name, const std::string& value, const Limits& length, bool slug) {
     std::size_t characters = 0;

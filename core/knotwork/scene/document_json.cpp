@@ -180,6 +180,10 @@ class Reader {
     value = static_cast<int>(*number);
   }
 
+  /// Of a member that older documents do not have: absent, the value stays.
+  void later_toggle(std::string_view name, bool& value) {
+    if (ok() && node_->contains(name)) toggle(name, value);
+  }
   void toggle(std::string_view name, bool& value) {
     const Json* node = member(name);
     if (node == nullptr) return;
@@ -366,6 +370,7 @@ class Writer {
   void number(std::string_view name, double value, const Limits&) { leaf(name, Json(value)); }
   void integer(std::string_view name, int value, const Limits&) { leaf(name, Json(value)); }
   void toggle(std::string_view name, bool value) { leaf(name, Json(value)); }
+  void later_toggle(std::string_view name, bool value) { toggle(name, value); }
 
   template <class E>
   void choice(std::string_view name, E value) {

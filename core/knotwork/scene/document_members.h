@@ -255,6 +255,7 @@ void members(Io& io, Is<Display> auto& display) {
   io.toggle("handles", display.handles);
   io.toggle("polygon", display.polygon);
   io.toggle("construction", display.construction);
+  io.later_toggle("adaptive", display.adaptive);
 }
 
 template <class Io>

@@ -160,7 +160,9 @@ Parameter samples(std::string_view id, std::string_view label) {
     return static_cast<double>(samples_of<Direction>(document));
   };
   result.set = [](Document& document, const ParameterValue& value) {
-    return set_integer(samples_of<Direction>(document), limits::samples, value);
+    Status status = set_integer(samples_of<Direction>(document), limits::samples, value);
+    if (status) document.display.adaptive = false;  // who says how many means so many
+    return status;
   };
   return result;
 }
@@ -712,6 +714,7 @@ std::vector<Parameter> make_table() {
                                                                          max_degree),
       of_net<u, limits::net, line_counts, line_count, set_line_count>("net.u", "rows (u)", "Control net", 16),
       of_net<v, limits::net, line_counts, line_count, set_line_count>("net.v", "columns (v)", "Control net", 16),
+      about<Surface, NetSurface, Alone>(toggle<&Display::adaptive>("samples.adaptive", "fit to screen", "Sampling")),
       samples<u>("samples.u", "samples u"),
       samples<v>("samples.v", "samples v"),
       curve_topology(),
