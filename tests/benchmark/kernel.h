@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "knotwork/basis/knot_vector.h"
+#include "knotwork/curve/lane_riesenfeld.h"
 
 namespace knotwork::benchmark {
 
@@ -71,6 +71,16 @@ inline double difference(std::span<const Eigen::Vector3d> actual, std::span<cons
     size = std::max(size, expected[k].norm());
   }
   return error / size;
+}
+
+/// Subdivision as it is defined, a split and one average after the other: what subdivide() is held to, bit for bit.
+inline std::vector<Eigen::Vector3d> subdivided_by_passes(const LaneRiesenfeld& scheme,
+                                                         std::vector<Eigen::Vector3d> points, int levels) {
+  for (int level = 0; level < levels; ++level) {
+    points = split_points(points);
+    for (int pass = 0; pass < scheme.degree; ++pass) points = averaged_points(points, scheme.topology);
+  }
+  return points;
 }
 
 }  // namespace knotwork::benchmark

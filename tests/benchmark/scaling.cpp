@@ -73,14 +73,7 @@ void add_subdivision(std::vector<Kernel>& rows, int levels) {
   const std::vector<Eigen::Vector3d> polygon = wavy_points(7);
   const std::size_t count = subdivided_count(scheme, polygon.size(), levels);
   const auto out = std::make_shared<std::vector<Eigen::Vector3d>>(count);
-  const auto error = [=] {
-    std::vector<Eigen::Vector3d> points = polygon;
-    for (int level = 0; level < levels; ++level) {
-      points = split_points(points);
-      for (int pass = 0; pass < scheme.degree; ++pass) points = averaged_points(points, scheme.topology);
-    }
-    return difference(*out, points);
-  };
+  const auto error = [=] { return difference(*out, subdivided_by_passes(scheme, polygon, levels)); };
   rows.push_back({"subdivision to " + std::to_string(count) + " points", count,
                   [=] { subdivide(scheme, polygon, levels, *out); }, error});
 }

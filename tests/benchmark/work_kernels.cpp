@@ -179,20 +179,13 @@ void add_blending(std::vector<Kernel>& rows, int patches) {
   rows.push_back(blending_contender(grid, patches, "four patches", four_patches, at));
 }
 
-/// W5: 16 levels of 7 points, against splits and averages one at a time.
+/// W5: 16 levels of 7 points, beside the passes that they are held to.
 void add_subdivision(std::vector<Kernel>& rows) {
   constexpr int levels = 16;
   const LaneRiesenfeld scheme;
   const std::vector<Eigen::Vector3d> polygon = wavy_points(7);
   const std::size_t count = subdivided_count(scheme, polygon.size(), levels);
-  const auto by_passes = [=] {
-    std::vector<Eigen::Vector3d> points = polygon;
-    for (int level = 0; level < levels; ++level) {
-      points = split_points(points);
-      for (int pass = 0; pass < scheme.degree; ++pass) points = averaged_points(points, scheme.topology);
-    }
-    return points;
-  };
+  const auto by_passes = [=] { return subdivided_by_passes(scheme, polygon, levels); };
   const auto out = std::make_shared<std::vector<Eigen::Vector3d>>(count);
   const auto error = [=] { return difference(*out, by_passes()); };
   constexpr double bit_for_bit = 0;
