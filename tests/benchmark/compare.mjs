@@ -12,7 +12,6 @@ const build = resolve(here, '../../build');
 const check = process.argv.includes('--check');
 const { works } = JSON.parse(readFileSync(join(here, 'works.json'), 'utf8'));
 const folder = mkdtempSync(join(tmpdir(), 'knotwork-'));
-const samples = join(folder, 'samples.json');
 
 /// [{work, who, ns, right}] of lines of JSON as wasm_main.cpp, rivals.mjs and rivals.py print them.
 const results = (lines) =>
@@ -79,14 +78,14 @@ function processorHas(feature) {
 }
 
 const flag = check ? ['--check'] : [];
-execFileSync(join(build, 'native-release/tests/knotwork_contest_samples'), [samples]);
+execFileSync(join(build, 'native-release/tests/knotwork_contest_samples'), [folder]);
 const python = ['python3', '/usr/bin/python3'].find((name) => spawnSync(name, ['-c', 'import scipy']).status === 0);
 
 const nativeRivals = [
   ...native('native-release'),
-  ...(python ? results(lines(python, join(here, 'rivals.py'), samples, ...flag)) : []),
+  ...(python ? results(lines(python, join(here, 'rivals.py'), folder, ...flag)) : []),
 ];
-const javaScriptRivals = results(lines('node', join(here, 'rivals.mjs'), samples, ...flag));
+const javaScriptRivals = results(lines('node', join(here, 'rivals.mjs'), folder, ...flag));
 const contest = join(build, 'benchmark-web/tests/knotwork_contest.js');
 const places = [
   { place: 'native, baseline', kind: 'native', ours: nativeRivals, rivals: nativeRivals },

@@ -61,13 +61,13 @@ inline std::vector<double> shuffled(const std::vector<double>& sorted) {
   return t;
 }
 
-/// max |a - b|, relative to max |b|, over lists of the same length; infinite when they are not.
+/// max |a - b|, relative to max |b|, over lists of the same length; infinite when they are not, or with a NaN.
 inline double difference(std::span<const Eigen::Vector3d> actual, std::span<const Eigen::Vector3d> expected) {
   if (actual.size() != expected.size() || actual.empty()) return HUGE_VAL;
   double error = 0, size = 0;
   for (std::size_t k = 0; k < actual.size(); ++k) {
     const double apart = (actual[k] - expected[k]).norm();
-    if (!(apart <= error)) error = apart;  // a NaN stays
+    if (!(apart <= error)) error = std::isnan(apart) ? HUGE_VAL : apart;
     size = std::max(size, expected[k].norm());
   }
   return error / size;

@@ -17,20 +17,26 @@ namespace knotwork::benchmark {
 using Precise = long double;
 using PrecisePoint = Eigen::Matrix<Precise, 3, 1>;
 
-/// A spline's point and first two derivatives from the points p_{i-p} .. p_i of one span, by de Boor's recursion on the
+/// Those of one span, p + 1 of them.
+using PrecisePoints = std::array<PrecisePoint, KnotVector::max_degree + 1>;
+
+/// A spline's point and first derivatives from the points p_{i-p} .. p_i of one span, by de Boor's recursion on the
 /// control points of each derivative: nothing of the code that is measured.
-inline std::array<PrecisePoint, 3> precise_spline(const KnotVector& knots, int span, double t,
-                                                  std::vector<PrecisePoint> points) {
+template <std::size_t values>
+std::array<PrecisePoint, values> precise_spline(const KnotVector& knots, int span, double t,
+                                                const PrecisePoints& span_points) {
   const int p = knots.degree();
   const auto knot = [&](int k) { return static_cast<Precise>(knots[k]); };
-  std::array<PrecisePoint, 3> result;
+  PrecisePoints points, row;
+  std::copy_n(span_points.begin(), p + 1, points.begin());
+  std::array<PrecisePoint, values> result;
   for (std::size_t order = 0; order < result.size(); ++order) {
     const int q = p - static_cast<int>(order);
     if (q < 0) {
       result[order].setZero();
       continue;
     }
-    std::vector<PrecisePoint> row = points;
+    std::copy_n(points.begin(), q + 1, row.begin());
     for (int d = q; d > 0; --d) {
       for (int k = 0; k < d; ++k) {
         const Precise from = knot(span - d + 1 + k), to = knot(span + 1 + k), w = (t - from) / (to - from);
@@ -39,6 +45,7 @@ inline std::array<PrecisePoint, 3> precise_spline(const KnotVector& knots, int s
       }
     }
     result[order] = row[0];
+    if (order + 1 == values) break;
     // The next derivative's points: q (c_{k+1} - c_k) / (t_{k+q+1} - t_{k+1}).
     for (int k = 0; k < q; ++k) {
       const std::size_t at = static_cast<std::size_t>(k);
@@ -48,13 +55,16 @@ inline std::array<PrecisePoint, 3> precise_spline(const KnotVector& knots, int s
   return result;
 }
 
-inline std::array<PrecisePoint, 3> precise_curve(const BSplineCurve& curve, double t) {
+/// The point and `values - 1` derivatives.
+template <std::size_t values>
+std::array<PrecisePoint, values> precise_curve(const BSplineCurve& curve, double t) {
   const KnotVector& knots = curve.knots();
   const double reduced = knots.reduced(t);
   const int span = knots.span(reduced);
-  std::vector<PrecisePoint> points;
-  for (int i = span - knots.degree(); i <= span; ++i) points.push_back(curve.point(i).cast<Precise>());
-  return precise_spline(knots, span, reduced, std::move(points));
+  PrecisePoints points;
+  auto point = points.begin();
+  for (int i = span - knots.degree(); i <= span; ++i) *point++ = curve.point(i).cast<Precise>();
+  return precise_spline<values>(knots, span, reduced, points);
 }
 
 /// S, S_u, S_v and the unit normal.
@@ -66,20 +76,40 @@ inline PreciseFrame with_normal(const PrecisePoint& s, const PrecisePoint& su, c
   return frame;
 }
 
-inline PreciseFrame precise_surface(const BSplineSurface& surface, double u, double v) {
-  const KnotVector &knots_u = surface.knots_u(), &knots_v = surface.knots_v();
-  const double at_u = knots_u.reduced(u), at_v = knots_v.reduced(v);
-  const int i = knots_u.span(at_u), j = knots_v.span(at_v);
-  std::vector<PrecisePoint> rows, slopes;
-  for (int a = i - knots_u.degree(); a <= i; ++a) {
-    std::vector<PrecisePoint> row;
-    for (int b = j - knots_v.degree(); b <= j; ++b) row.push_back(surface.point(a, b).cast<Precise>());
-    const auto along_v = precise_spline(knots_v, j, at_v, std::move(row));
-    rows.push_back(along_v[0]);
-    slopes.push_back(along_v[1]);
+/// A surface along v at one u: the curves of S and of S_u there, whose control points all places of a grid's row share.
+class PreciseRow {
+ public:
+  PreciseRow(const BSplineSurface& surface, double u) : knots_(surface.knots_v()) {
+    const KnotVector& knots = surface.knots_u();
+    const double at = knots.reduced(u);
+    const int span = knots.span(at);
+    const std::size_t count = static_cast<std::size_t>(knots_.count());
+    points_.reserve(count);
+    slopes_.reserve(count);
+    for (int j = 0; j < knots_.count(); ++j) {
+      PrecisePoints column;
+      auto point = column.begin();
+      for (int i = span - knots.degree(); i <= span; ++i) *point++ = surface.point(i, j).cast<Precise>();
+      const auto along_u = precise_spline<2>(knots, span, at, column);
+      points_.push_back(along_u[0]);
+      slopes_.push_back(along_u[1]);
+    }
   }
-  const auto along_u = precise_spline(knots_u, i, at_u, std::move(rows));
-  return with_normal(along_u[0], along_u[1], precise_spline(knots_u, i, at_u, std::move(slopes))[0]);
-}
+
+  PreciseFrame operator()(double v) const {
+    const double at = knots_.reduced(v);
+    const int span = knots_.span(at);
+    const auto first = span - knots_.degree();
+    PrecisePoints points, slopes;
+    std::copy_n(points_.begin() + first, knots_.degree() + 1, points.begin());
+    std::copy_n(slopes_.begin() + first, knots_.degree() + 1, slopes.begin());
+    const auto along_v = precise_spline<2>(knots_, span, at, points);
+    return with_normal(along_v[0], precise_spline<1>(knots_, span, at, slopes)[0], along_v[1]);
+  }
+
+ private:
+  KnotVector knots_;
+  std::vector<PrecisePoint> points_, slopes_;
+};
 
 }  // namespace knotwork::benchmark

@@ -1,5 +1,7 @@
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -42,8 +44,11 @@ class RelativeError {
   double error_ = 0, size_ = 0;
 };
 
-/// Every so many places of a long list are checked: coprime to all lengths and sides.
-constexpr std::size_t step = 997;
+/// Every place is checked, but every so many where software computes long double, as in WebAssembly and on ARM: coprime
+/// to all lengths and sides.
+constexpr std::size_t step = std::numeric_limits<Precise>::digits > 64 ? 97 : 1;
+/// Other places for each contender.
+std::size_t first_checked(const std::string& name) { return std::hash<std::string>()(name) % step; }
 
 Frame frame_of(const SurfaceFrame& at) {
   Frame frame;
@@ -51,23 +56,29 @@ Frame frame_of(const SurfaceFrame& at) {
   return frame;
 }
 
+/// reference(u)(v): the frame at (u, v).
 template <class Reference>
 Kernel grid_contender(const GridWork& work, const std::string& contender, std::function<void()> run,
                       const std::function<Frame(std::size_t)>& at, bool normals, const Reference& reference) {
+  const std::string name = work.name + " | " + contender;
   const auto error = [=] {
     const Eigen::Index columns = !work.frames ? 1 : normals ? 4 : 3;
     std::array<RelativeError, 4> errors;
-    for (std::size_t k = 0; k < work.side * work.side; k += step) {
-      const Frame actual = at(k);
-      const PreciseFrame expected = reference(work.u[k / work.side], work.v[k % work.side]);
-      for (Eigen::Index c = 0; c < columns; ++c)
-        errors[static_cast<std::size_t>(c)].add(actual.col(c), expected.col(c));
+    std::size_t place = first_checked(name);
+    for (std::size_t a = 0; a < work.side; ++a) {
+      const auto row = reference(work.u[a]);
+      for (; place < (a + 1) * work.side; place += step) {
+        const Frame actual = at(place);
+        const PreciseFrame expected = row(work.v[place - a * work.side]);
+        for (Eigen::Index c = 0; c < columns; ++c)
+          errors[static_cast<std::size_t>(c)].add(actual.col(c), expected.col(c));
+      }
     }
     double worst = 0;
     for (Eigen::Index c = 0; c < columns; ++c) worst = std::max(worst, errors[static_cast<std::size_t>(c)].value());
     return worst;
   };
-  return {work.name + " | " + contender, work.side * work.side, std::move(run), error, position_tolerance};
+  return {name, work.side * work.side, std::move(run), error, position_tolerance};
 }
 
 /// The blending torus in the four-patch form, in long double.
@@ -151,7 +162,8 @@ void add_fit(std::vector<Kernel>& rows) {
   const BSplineCurve truth = BSplineCurve::make(knots, wavy_points(1000)).value();
   const std::vector<double> x = parameters(0, 1, data_count);
   std::vector<Eigen::Vector3d> data;
-  for (const double t : x) data.push_back(precise_curve(truth, t)[0].cast<double>());
+  data.reserve(data_count);
+  for (const double t : x) data.push_back(precise_curve<1>(truth, t)[0].cast<double>());
   const auto fit = std::make_shared<std::optional<Result<LeastSquaresFit>>>();
   const auto error = [=] {
     return fit->has_value() && **fit ? difference((*fit)->value().curve.points(), truth.points()) : HUGE_VAL;
@@ -218,21 +230,28 @@ Kernel curve_contender(const CurveWork& work, const std::string& contender, cons
   const auto run = [=] {
     for (std::size_t first = 0; first < t->size(); first += parameters_of_a_call) call(first);
   };
+  const std::string name = std::string(work.name) + " | " + contender;
   const auto error = [=] {
     const BSplineCurve curve = work.curve();
     std::array<RelativeError, 3> errors;
+    std::size_t place = first_checked(name);
     for (std::size_t first = 0; first < t->size(); first += parameters_of_a_call) {
-      const std::span<const double> here = call(first);
-      for (std::size_t m = 0; m < here.size(); m += step) {
-        const auto expected = precise_curve(curve, here[m]);
-        for (std::size_t k = 0; k < values; ++k) errors[k].add((*out)[m * values + k], expected[k]);
+      const std::size_t end = first + call(first).size();
+      for (; place < end; place += step) {
+        const Eigen::Vector3d* const actual = &(*out)[(place - first) * values];
+        if (work.order == 0) {
+          errors[0].add(*actual, precise_curve<1>(curve, (*t)[place])[0]);
+        } else {
+          const auto expected = precise_curve<3>(curve, (*t)[place]);
+          for (std::size_t k = 0; k < values; ++k) errors[k].add(actual[k], expected[k]);
+        }
       }
     }
     double worst = 0;
     for (std::size_t k = 0; k < values; ++k) worst = std::max(worst, errors[k].value());
     return worst;
   };
-  return {std::string(work.name) + " | " + contender, curve_parameters, run, error, position_tolerance};
+  return {name, curve_parameters, run, error, position_tolerance};
 }
 
 BSplineSurface surface_work() {
@@ -280,14 +299,14 @@ GridWork blending_grid(int patches) {
 Kernel surface_contender(const GridWork& work, const std::string& contender, std::function<void()> run,
                          const std::function<Frame(std::size_t)>& at, bool normals) {
   return grid_contender(work, contender, std::move(run), at, normals,
-                        [surface = surface_work()](double u, double v) { return precise_surface(surface, u, v); });
+                        [surface = surface_work()](double u) { return PreciseRow(surface, u); });
 }
 
 Kernel blending_contender(const GridWork& work, int patches, const std::string& contender, std::function<void()> run,
                           const std::function<Frame(std::size_t)>& at) {
-  return grid_contender(
-      work, contender, std::move(run), at, true,
-      [surface = blending_work(patches)](double u, double v) { return precise_blend(surface, u, v); });
+  return grid_contender(work, contender, std::move(run), at, true, [surface = blending_work(patches)](double u) {
+    return [&surface, u](double v) { return precise_blend(surface, u, v); };
+  });
 }
 
 std::vector<Kernel> work_kernels() {
