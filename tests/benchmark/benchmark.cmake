@@ -39,7 +39,12 @@ knotwork_benchmark_program(knotwork_benchmark SOURCES
   benchmark/measure_kernels.cpp
   benchmark/surface_kernels.cpp)
 
-knotwork_benchmark_program(knotwork_scaling SOURCES benchmark/scaling.cpp)
+# It asks glibc (2.33 and newer) for what is allocated.
+include(CheckCXXSymbolExists)
+check_cxx_symbol_exists(mallinfo2 malloc.h KNOTWORK_HAS_MALLINFO2)
+if(KNOTWORK_HAS_MALLINFO2)
+  knotwork_benchmark_program(knotwork_scaling SOURCES benchmark/scaling.cpp)
+endif()
 
 # The works of the contest (see compare), with the rivals that are on the system.
 knotwork_find_sisl()

@@ -1,6 +1,6 @@
 // knotwork_scaling: the cost an item over four decades of input. Sorted parameters and data cost the same whatever the
 // number of control points, but for the caches; shuffled ones may grow with its logarithm. The names tell what a curve's
-// evaluator takes in memory.
+// evaluator takes in memory, as glibc's allocator counts it: built only where that is found.
 
 #include <malloc.h>
 

@@ -106,8 +106,9 @@ class BlendingSurface {
   void evaluate_grid(std::span<const double> u, std::span<const double> v, std::span<SurfaceJet> out) const;
 
   /// Points with first partials and unit normals (unit_normal() of the whole jet where the partials are parallel): the
-  /// fast path for large grids over a model without a twist. The maps of a cell are blended over u once a row; so sorted
-  /// v are the fastest. Agrees with evaluate() to rounding. Scratch memory: O(u.size() + v.size()).
+  /// fast path for large grids of sub-surfaces over a model without a twist. The maps of a cell are blended over u once a
+  /// row; so sorted v are the fastest. Agrees with evaluate() to rounding. Scratch memory: O(u.size() + v.size()).
+  /// Bezier-Hermite locals, and all locals over a twisted model, are evaluated point by point.
   void evaluate_grid(std::span<const double> u, std::span<const double> v, std::span<SurfaceFrame> out) const;
 
   /// The four-patch form, term by term as in the formula above: the readable reference that the fast form is held to.
