@@ -593,19 +593,21 @@ void App::run_interface(double seconds) {
   apply_interface_style(theme_);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  panel_output_ = draw_panels(panel_state_, {.document = document_,
-                                             .figure = *geometry_.figure,
-                                             .theme = theme_,
-                                             .viewport = viewport_,
-                                             .phone = viewport_.width < phone_width,
-                                             .pointed = pointed(),
-                                             .selected = interaction_.selected,
-                                             .drawing = interaction_.drawing,
-                                             .can_undo = history_.can_undo(),
-                                             .can_redo = history_.can_redo(),
-                                             .reduced_motion = reduced_motion_,
-                                             .labels = stage_labels(),
-                                             .notice = notice_});
+  draw_panels(panel_state_,
+              {.document = document_,
+               .figure = *geometry_.figure,
+               .theme = theme_,
+               .viewport = viewport_,
+               .phone = viewport_.width < phone_width,
+               .pointed = pointed(),
+               .selected = interaction_.selected,
+               .drawing = interaction_.drawing,
+               .can_undo = history_.can_undo(),
+               .can_redo = history_.can_redo(),
+               .reduced_motion = reduced_motion_,
+               .labels = stage_labels(),
+               .notice = notice_},
+              panel_output_);
   ImGui::Render();
 
   if (panel_output_.begin_gesture) history_.begin_gesture();
@@ -670,8 +672,10 @@ std::vector<StageLabel> App::stage_labels() {
 /// Nothing while the sheet rolls: its parameters are not those of the surface that it becomes.
 std::optional<glm::dvec2> App::pointed() const { return roll_.active ? std::nullopt : interaction_.probe; }
 
-Picture App::picture() {
-  Picture picture;
+/// Into the last picture's memory.
+const Picture& App::picture() {
+  Picture& picture = picture_;
+  picture.clear();
   picture.view = view();
   picture.target = to_glm(document_.camera.target);
   picture.theme = theme_;

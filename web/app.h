@@ -140,7 +140,7 @@ class App {
   Stage stage(glm::dvec2 position);
   std::optional<glm::dvec2> pointed() const;
   std::vector<StageLabel> stage_labels();
-  Picture picture();
+  const Picture& picture();
   bool over_interface(glm::dvec2 position) const;
 
   scene::Document document_;
@@ -158,6 +158,7 @@ class App {
   bool reduced_motion_ = false;
   bool framed_once_ = false;  ///< the panel has been laid out, so that the picture could be placed
 
+  Picture picture_;
   Geometry geometry_;
   StageGrid grid_;
   std::vector<Handle> handles_;

@@ -100,7 +100,7 @@ void draw_strip(Frame& frame, const Rect& rect, const scene::BlendingCurveFigure
     const bool hovered = (reached && nearest == i && on_knots.hovered) || (drag.held && drag.index == i);
     plot_knot(ui, plot, knots[i], 1, movable(i), hovered);
     plot_knot_name(ui, plot, knots[i], "t" + subscript(i), taken);
-    if (movable(i)) ui.widgets.push_back({"knot " + std::to_string(i), {plot.x_of(knots[i]) - 9, row.y + 2, 18, 18}});
+    if (movable(i)) ui.record("knot " + std::to_string(i), {plot.x_of(knots[i]) - 9, row.y + 2, 18, 18});
   }
   if (event.taken) take_gesture(frame);
   if (event.t) frame.output.commands.emplace_back(scene::SetParameter{"curve.parameter", *event.t});

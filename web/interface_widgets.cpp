@@ -70,7 +70,13 @@ float run_width(const Interface& ui, Face face, const Run& run) {
   return font_of(ui, face)->CalcTextSizeA(size, FLT_MAX, 0, run.words.data(), run.words.data() + run.words.size()).x;
 }
 
-ImGuiID id_of(std::string_view label) { return ImGui::GetID(label.data(), label.data() + label.size()); }
+/// Of what ImGui keeps for a part of a widget.
+ImGuiID id_of(std::string_view label, const char* part) {
+  ImGui::PushID(label.data(), label.data() + label.size());
+  const ImGuiID id = ImGui::GetID(part);
+  ImGui::PopID();
+  return id;
+}
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 
@@ -192,7 +198,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink
 
 /// How strongly an item answers to the pointer, eased: 0 at rest, 1 hovered.
 float warmth(Interface& ui, std::string_view id, const Press& press) {
-  return eased(ui, id_of(std::string(id) + "#warmth"), press.hovered || press.held ? 1.0F : 0.0F);
+  return eased(ui, id_of(id, "warmth"), press.hovered || press.held ? 1.0F : 0.0F);
 }
 
 }  // namespace
@@ -291,7 +297,7 @@ Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
   // A sliver that scrolling leaves at an edge is nothing to aim at.
   constexpr float least = 16;
   if (right - left >= std::min(least, rect.width) && bottom - top >= std::min(least, rect.height))
-    ui.widgets.push_back({std::string(label), {left, top, right - left, bottom - top}});
+    ui.record(label, {left, top, right - left, bottom - top});
   return press;
 }
 
@@ -332,16 +338,15 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (!segments[i].chosen) continue;
     // The chosen field slides from one word to the next.
-    const std::string key(id);
     const float travel = std::max(rect.width, 1.0F);
-    const float left = travel * eased(ui, id_of(key + "#left"), (places[i].x - rect.x) / travel);
-    const float width = travel * eased(ui, id_of(key + "#width"), places[i].width / travel);
+    const float left = travel * eased(ui, id_of(id, "left"), (places[i].x - rect.x) / travel);
+    const float width = travel * eased(ui, id_of(id, "width"), places[i].width / travel);
     fill(list, {rect.x + left, rect.y + inset, width, rect.height - 2 * inset}, colour(theme.ink), 6);
   }
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
     const float warm = warmth(ui, segment.widget, presses[i]);
-    const float chosen = eased(ui, id_of(segment.widget + "#chosen"), segment.chosen ? 1.0F : 0.0F);
+    const float chosen = eased(ui, id_of(segment.widget, "chosen"), segment.chosen ? 1.0F : 0.0F);
     const bool refused = !segment.refusal.empty() && !segment.chosen;
     Colour ink = mixed(mixed(theme.ink_soft, theme.ink, refused ? 0 : warm), theme.paper, chosen);
     text(ui, segment.chosen ? Face::bold : Face::regular, places[i].centre(), colour(ink, refused ? 0.5F : 1),
@@ -377,7 +382,7 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
   event.value = value;
   if (enabled) {
     // Where on the thumb the pointer holds it, so that it does not jump when it is taken.
-    float& grip = *ImGui::GetStateStorage()->GetFloatRef(id_of(std::string(id) + "#grip"), 0);
+    float& grip = *ImGui::GetStateStorage()->GetFloatRef(id_of(id, "grip"), 0);
     const float pointer = ImGui::GetIO().MousePos.x;
     event.taken = press.taken;
     if (press.taken) {
@@ -392,7 +397,7 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
   event.let_go = press.let_go;
 
   const float warm = enabled ? warmth(ui, id, press) : 0;
-  const float held = eased(ui, id_of(std::string(id) + "#held"), press.held && enabled ? 1.0F : 0.0F);
+  const float held = eased(ui, id_of(id, "held"), press.held && enabled ? 1.0F : 0.0F);
   const float opacity = enabled ? 1 : 0.35F;
   const float y = std::floor(rect.y + rect.height / 2) + 0.5F;  // three pixels' middle, so that the track is crisp
   const float x = start + length * static_cast<float>(scale.share_of(event.value));
@@ -412,7 +417,7 @@ bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view
   const Theme& theme = ui.theme;
   const Press press = press_area(ui, id, rect);
   const float warm = enabled ? warmth(ui, id, press) : 0;
-  const float lit = eased(ui, id_of(std::string(id) + "#lit"), on ? 1.0F : 0.0F);
+  const float lit = eased(ui, id_of(id, "lit"), on ? 1.0F : 0.0F);
   const float opacity = enabled ? 1 : 0.4F;
   const Rect field = ui.touch ? Rect{rect.x, rect.y + 4, rect.width, rect.height - 8} : rect;
   fill_capsule(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity));
@@ -426,7 +431,7 @@ bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press) * (enabled ? 1.0F : 0.3F);
-  const float strength = eased(ui, id_of(std::string(id) + "#enabled"), enabled ? 1.0F : 0.32F);
+  const float strength = eased(ui, id_of(id, "enabled"), enabled ? 1.0F : 0.32F);
   list.AddCircleFilled(rect.centre(), std::min(rect.width, rect.height) / 2 - 1, colour(ui.theme.ink, 0.08F * warm));
   const Colour ink = press.held && enabled ? ui.theme.accent : mixed(ui.theme.ink_soft, ui.theme.ink, warm);
   draw_icon(list, icon, rect.centre(), ui.touch ? 1.15F : 1, colour(ink, strength));
@@ -439,7 +444,7 @@ bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool play
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
-  const float pressed = eased(ui, id_of("play#pressed"), press.held ? 1.0F : 0.0F);
+  const float pressed = eased(ui, id_of(id, "pressed"), press.held ? 1.0F : 0.0F);
   const float radius = 19 + warm - 1.5F * pressed;
   const ImVec2 centre = rect.centre();
   list.AddCircleFilled(centre, radius, colour(ui.theme.ink));
@@ -475,7 +480,7 @@ bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::stri
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
-  const float turn = smooth(eased(ui, id_of(std::string(id) + "#turn"), open ? 1.0F : 0.0F));
+  const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   const ImU32 ink = colour(mixed(ui.theme.ink_soft, ui.theme.ink, warm));
   text(ui, Face::regular, {rect.x, rect.y + rect.height / 2}, ink, label);
   chevron(list, {rect.x + rect.width - 7, rect.y + rect.height / 2}, 4, turn, ink);
@@ -486,7 +491,7 @@ bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::str
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
-  const float turn = smooth(eased(ui, id_of(std::string(id) + "#turn"), open ? 1.0F : 0.0F));
+  const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   fill(list, rect, colour(ui.theme.ink, 0.045F + 0.035F * warm), 8);
   outline(list, rect, colour(mixed(ui.theme.rule, ui.theme.ink_soft, 0.5F * warm)), 8);
   list.PushClipRect(rect.min(), {rect.x + rect.width - 22, rect.y + rect.height}, true);

@@ -31,13 +31,21 @@ struct Interface {
   const Theme& theme;
   InterfaceFonts fonts;
   float pixel_ratio = 1;
-  bool touch = false;           ///< type and thumbs are larger under a finger
-  bool reduced_motion = false;  ///< nothing eases then
-  float step = 1.0F / 60;       ///< seconds that what moves has moved on since the last frame
-  bool listening = true;        ///< false while a finger scrolls: letting go is no click then
-  bool wants_frame = false;     ///< something is still moving
-  std::vector<Widget> widgets;  ///< the items drawn, for the script interface
-  std::optional<Widget> hint;   ///< the words to show beside the item under the pointer
+  bool touch = false;            ///< type and thumbs are larger under a finger
+  bool reduced_motion = false;   ///< nothing eases then
+  float step = 1.0F / 60;        ///< seconds that what moves has moved on since the last frame
+  bool listening = true;         ///< false while a finger scrolls: letting go is no click then
+  bool wants_frame = false;      ///< something is still moving
+  std::vector<Widget>& widgets;  ///< the items drawn, for the script interface; behind `drawn` those of the last frame
+  std::size_t drawn = 0;
+  std::optional<Widget> hint;  ///< the words to show beside the item under the pointer
+
+  /// Into the last frame's memory.
+  void record(std::string_view label, const std::array<double, 4>& rect) {
+    if (drawn == widgets.size()) widgets.emplace_back();
+    widgets[drawn].label = label;
+    widgets[drawn++].rect = rect;
+  }
 };
 
 // Colours for ImGui's draw lists.

@@ -123,8 +123,8 @@ StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure&
     }
     for (const scene::CurveFigure::Mark& mark : figure.marks)
       if (may_move(mark))
-        ui.widgets.push_back({std::string(options.prefix) + "knot " + std::to_string(mark.last),
-                              {plot.x_of(mark.t) - 9, row.y + 2, 18, 18}});
+        ui.record(std::string(options.prefix) + "knot " + std::to_string(mark.last),
+                  {plot.x_of(mark.t) - 9, row.y + 2, 18, 18});
   }
 
   const auto where = [&](double t) { return plot.x_of(t); };

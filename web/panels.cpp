@@ -49,9 +49,8 @@ constexpr std::array<std::string_view, 23> first_rows{"topology.u",
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
-constexpr float padding = 16;   ///< inside the card
-constexpr float foot_clip = 3;  ///< rows end this much before the foot of what they scroll in
-constexpr std::size_t usual_widgets = 64;
+constexpr float padding = 16;             ///< inside the card
+constexpr float foot_clip = 3;            ///< rows end this much before the foot of what they scroll in
 constexpr std::size_t most_segments = 4;  ///< more choices are a list
 constexpr float combo_margin = 40;        ///< beside the words of a closed list
 
@@ -648,9 +647,9 @@ void notice(Frame& frame) {
 
 }  // namespace
 
-PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
-  PanelOutput output;
-  Interface ui{.theme = input.theme, .fonts = interface_fonts()};
+void draw_panels(PanelState& state, const PanelInput& input, PanelOutput& output) {
+  output.clear();
+  Interface ui{.theme = input.theme, .fonts = interface_fonts(), .widgets = output.widgets};
   if (!ui.fonts.regular) ui.fonts = {ImGui::GetFont(), ImGui::GetFont(), ImGui::GetFont()};
   ui.pixel_ratio = static_cast<float>(std::max(input.viewport.pixel_ratio, 0.5));
   ui.touch = input.phone;
@@ -663,7 +662,6 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   const Rect stage{0, 0, static_cast<float>(std::floor(input.viewport.width)),
                    static_cast<float>(std::floor(input.viewport.height))};
   Frame frame{state, input, output, ui, stage};
-  ui.widgets.reserve(usual_widgets);
 
   state.list_open = false;
   labels(frame);
@@ -694,8 +692,7 @@ PanelOutput draw_panels(PanelState& state, const PanelInput& input) {
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.finger = {};
 
   output.wants_frame = state.moving = ui.wants_frame;
-  output.widgets = std::move(ui.widgets);
-  return output;
+  output.widgets.resize(ui.drawn);
 }
 
 }  // namespace knotwork::web

@@ -86,9 +86,18 @@ struct PanelOutput {
   std::vector<Widget> widgets;
   std::vector<std::array<double, 4>> readouts;  ///< take no pointers, but the picture keeps clear of them
   std::vector<std::array<double, 4>> regions;   ///< cards and popups that take pointers, x y width height in CSS pixels
+
+  /// As before a frame. The lists keep their memory, the widgets for the next ones' words.
+  void clear() {
+    commands.clear();
+    keys.clear();
+    readouts.clear();
+    regions.clear();
+    begin_gesture = end_gesture = undo = redo = frame_all = wants_frame = takes_wheel = false;
+  }
 };
 
 /// Draws panel, clock, probe and notice with ImGui inside a running ImGui frame.
-PanelOutput draw_panels(PanelState& state, const PanelInput& input);
+void draw_panels(PanelState& state, const PanelInput& input, PanelOutput& output);
 
 }  // namespace knotwork::web

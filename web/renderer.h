@@ -60,6 +60,21 @@ struct Picture {
   std::vector<Ribbon> hidden_ribbons;   ///< drawn only where the surface hides them
   std::vector<Ribbon> overlay_ribbons;  ///< the gizmo: faint where hidden
   std::vector<Disc> discs, overlay_discs;
+
+  /// Empty again; the lists keep their memory.
+  void clear() {
+    Picture empty;
+    for (std::vector<Ribbon> Picture::*list :
+         {&Picture::ribbons, &Picture::hidden_ribbons, &Picture::overlay_ribbons}) {
+      (this->*list).clear();
+      (empty.*list).swap(this->*list);
+    }
+    for (std::vector<Disc> Picture::*list : {&Picture::discs, &Picture::overlay_discs}) {
+      (this->*list).clear();
+      (empty.*list).swap(this->*list);
+    }
+    *this = std::move(empty);
+  }
 };
 
 /// Counted over a frame (draw calls, state changes, vertices; without the interface's) and since start (bytes).

@@ -112,6 +112,7 @@ set(KNOTWORK_GEOMETRY_PRIVATE_HEADERS
   knotwork/curve/row_block.h
   knotwork/curve/schoenberg_whitney.h
   knotwork/curve/vector_length.h
+  knotwork/mesh/texel.h
   knotwork/surface/frame_columns.h
   knotwork/surface/mixed_series.h
   knotwork/surface/net.h

@@ -404,7 +404,7 @@ pageTest(costs, {}, async (page) => {
     const many = await frameCost({ samples: { u: 400, v: 400 }, locals: { ...locals, kind } });
     assert.deepEqual(many, few, kind);
     assert.ok(few.bytes > 0 && few.bytes < 20000, `${few.bytes} bytes a frame`);
-    assert.ok(few.allocations <= 256, `${few.allocations} allocations a frame`);
+    assert.ok(few.allocations <= 40, `${few.allocations} allocations a frame`);
   }
   await call(page, 'pause');
 

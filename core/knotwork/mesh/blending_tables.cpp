@@ -3,6 +3,7 @@
 #include <array>
 
 #include "knotwork/later.h"
+#include "knotwork/mesh/texel.h"
 
 namespace knotwork {
 namespace {
@@ -14,8 +15,6 @@ bool has_polynomials(const BlendingSurface& surface) {
 void append_four(std::vector<float>& out, const std::array<double, 4>& x) {
   for (const double value : x) out.push_back(static_cast<float>(value));
 }
-
-void append_point(std::vector<float>& out, const Eigen::Vector3d& x) { append_four(out, {x[0], x[1], x[2], 0.0}); }
 
 /// Parameters of a direction as the tables see them. The repeated seam falls on the start; a twisted one stays at the
 /// end, where the vertices of the other direction are not reflected.
@@ -78,7 +77,7 @@ KNOTWORK_LATER std::vector<float> coefficient_table(const BlendingSurface& surfa
         const bool mirrored_v = surface.twist_u() && i == surface.knots_u().count();
         for (int q = 0; q <= degree_v; ++q) {
           const bool odd = (mirrored_u && p % 2 == 1) != (mirrored_v && q % 2 == 1);
-          append_point(table, (odd ? -1 : 1) * own[static_cast<std::size_t>(p * (degree_v + 1) + q)]);
+          append_texel(table, (odd ? -1 : 1) * own[static_cast<std::size_t>(p * (degree_v + 1) + q)]);
         }
       }
     }

@@ -15,28 +15,16 @@ constexpr int looks_altogether = 96;  // a direction; one an interval at least
 constexpr double smooth_edge = 64;    // tolerances
 constexpr double most_for_smoothness = 12;
 
-struct Stretch {
-  double start, width;
-};
-
-std::vector<Stretch> intervals_of(const KnotVector& knots) {
-  std::vector<Stretch> intervals;
-  intervals.reserve(static_cast<std::size_t>(knots.interval_count()));
-  for (int i = knots.degree(); i <= knots.last_span(); ++i)
-    if (knots[i] < knots[i + 1]) intervals.push_back({knots[i], knots[i + 1] - knots[i]});
-  return intervals;
-}
-
-int looks_in(const std::vector<Stretch>& intervals) {
+int looks_in(const std::vector<Interval>& intervals) {
   return std::clamp(looks_altogether / static_cast<int>(intervals.size()), 1, most_looks);
 }
 
 /// In the middle of equal parts of each interval.
-std::vector<double> places(const std::vector<Stretch>& intervals, int looks) {
+std::vector<double> places(const std::vector<Interval>& intervals, int looks) {
   std::vector<double> t;
   t.reserve(intervals.size() * static_cast<std::size_t>(looks));
-  for (const Stretch& interval : intervals)
-    for (int k = 0; k < looks; ++k) t.push_back(interval.start + interval.width * (k + 0.5) / looks);
+  for (const Interval& interval : intervals)
+    for (int k = 0; k < looks; ++k) t.push_back(std::lerp(interval.start, interval.end, (k + 0.5) / looks));
   return t;
 }
 
@@ -98,7 +86,7 @@ double vertices(const GridSteps& steps) {
 }  // namespace
 
 FittedSteps fitted_steps(const KnottedSurface& surface, GridTolerance tolerance, int most_vertices) {
-  const std::vector<Stretch> over_u = intervals_of(*surface.knots_u), over_v = intervals_of(*surface.knots_v);
+  const std::vector<Interval> over_u = knot_intervals(*surface.knots_u), over_v = knot_intervals(*surface.knots_v);
   const int looks_u = looks_in(over_u), looks_v = looks_in(over_v);
   const std::vector<double> v = places(over_v, looks_v);
   std::vector<double> needs_u(over_u.size(), 1), needs_v(over_v.size(), 1);
@@ -112,7 +100,7 @@ FittedSteps fitted_steps(const KnottedSurface& surface, GridTolerance tolerance,
       for (int k = 0; k < looks_u * looks_v; ++k) {
         const auto row = static_cast<std::size_t>(k / looks_v), column = static_cast<std::size_t>(k % looks_v);
         const SurfaceJet& jet = jets[row * v.size() + b * static_cast<std::size_t>(looks_v) + column];
-        cell.look(jet, over_u[a].width, over_v[b].width);
+        cell.look(jet, over_u[a].end - over_u[a].start, over_v[b].end - over_v[b].start);
         low = low.cwiseMin(jet.s);
         high = high.cwiseMax(jet.s);
       }

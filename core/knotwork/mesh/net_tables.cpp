@@ -3,6 +3,7 @@
 #include <array>
 
 #include "knotwork/basis/bspline_basis.h"
+#include "knotwork/mesh/texel.h"
 
 namespace knotwork {
 namespace {
@@ -41,10 +42,7 @@ NetTables net_tables(const BSplineSurface& surface, SampleGrid grid) {
 std::vector<float> point_table(const BSplineSurface& surface) {
   std::vector<float> table;
   table.reserve(4 * surface.points().size());
-  for (const Eigen::Vector3d& point : surface.points()) {
-    for (int k = 0; k < 3; ++k) table.push_back(static_cast<float>(point[k]));
-    table.push_back(0);
-  }
+  for (const Eigen::Vector3d& point : surface.points()) append_texel(table, point);
   return table;
 }
 

@@ -10,8 +10,7 @@ namespace knotwork {
 namespace {
 
 std::vector<int> even_steps(const KnotVector& knots, int samples) {
-  int intervals = 0;
-  for (int i = knots.degree(); i <= knots.last_span(); ++i) intervals += knots[i] < knots[i + 1] ? 1 : 0;
+  const auto intervals = static_cast<int>(knot_intervals(knots).size());
   const int least = knots.closed() ? 3 : 1;
   const int wanted = std::clamp(samples, least, max_samples);
   return std::vector<int>(static_cast<std::size_t>(intervals), (wanted + intervals - 1) / intervals);
@@ -22,12 +21,11 @@ void add_samples(std::vector<double>& t, std::vector<int>& starts, const KnotVec
   const int count = std::accumulate(steps.begin(), steps.end(), 0);
   t.reserve(static_cast<std::size_t>(count) + 1);
   starts.reserve(steps.size() + 1);
-  for (int i = knots.degree(); i <= knots.last_span(); ++i) {
-    const double width = knots[i + 1] - knots[i];
-    if (!(width > 0)) continue;
+  for (const Interval& interval : knot_intervals(knots)) {
     const int here = steps[starts.size()];
     starts.push_back(static_cast<int>(t.size()));
-    for (int k = 0; k < here; ++k) t.push_back(knots[i] + width * (static_cast<double>(k) / here));
+    for (int k = 0; k < here; ++k)
+      t.push_back(interval.start + (interval.end - interval.start) * (static_cast<double>(k) / here));
   }
   starts.push_back(count);
   if (!knots.closed() || seam == Seam::repeated) t.push_back(knots.end());
@@ -52,6 +50,14 @@ GridSteps even_steps(const KnotVector& knots_u, const KnotVector& knots_v, int s
 
 SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam) {
   return sample_grid(knots_u, knots_v, even_steps(knots_u, knots_v, samples_u, samples_v), seam);
+}
+
+std::vector<Interval> knot_intervals(const KnotVector& knots) {
+  std::vector<Interval> intervals;
+  intervals.reserve(static_cast<std::size_t>(knots.interval_count()));
+  for (int i = knots.degree(); i <= knots.last_span(); ++i)
+    if (knots[i] < knots[i + 1]) intervals.push_back({knots[i], knots[i + 1]});
+  return intervals;
 }
 
 std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool wrap_v) {

@@ -1,16 +1,9 @@
 #include "knotwork/mesh/surface_tables.h"
 
+#include "knotwork/mesh/texel.h"
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork {
-namespace {
-
-void append_texel(std::vector<float>& out, const Eigen::Vector3d& x) {
-  for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(x[k]));
-  out.push_back(0);
-}
-
-}  // namespace
 
 SurfaceTables surface_tables(const KnottedSurface& surface, SampleGrid grid) {
   SurfaceTables tables;
