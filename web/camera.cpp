@@ -137,13 +137,16 @@ scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& vi
 }
 
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view) {
+  const glm::dvec2 offset = anchor - free_area(view.viewport).centre;
+  const double size = view.pixel_size(to_glm(camera.target));
+  return zoom(camera, factor, to_glm(camera.target) + size * (offset.x * view.right - offset.y * view.up));
+}
+
+scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec3 around) {
   if (!std::isfinite(factor) || factor <= 0) return camera;
   scene::Camera zoomed = camera;
   zoomed.distance = limited_distance(camera.distance / factor, camera);
-  const glm::dvec2 offset = anchor - free_area(view.viewport).centre;
-  const double size = view.pixel_size(to_glm(camera.target));
-  zoomed.target +=
-      to_eigen((1 - zoomed.distance / camera.distance) * size * (offset.x * view.right - offset.y * view.up));
+  zoomed.target += (1 - zoomed.distance / camera.distance) * (to_eigen(around) - camera.target);
   return limited(zoomed, camera);
 }
 

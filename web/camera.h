@@ -58,6 +58,8 @@ scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewpo
 scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view);
 /// factor > 1 comes closer; the point under `anchor` at the target's depth stays there.
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view);
+/// The same about a point of the stage, which stays where it is on the screen and is never passed.
+scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec3 around);
 
 /// 6x^5 - 15x^4 + 10x^3, x limited to [0,1]: what moves by itself starts and stops with it.
 double ease(double x);

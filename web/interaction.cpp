@@ -472,6 +472,15 @@ void stage_key(InteractionState& state, const Stage& stage, Outcome& outcome, st
   }
 }
 
+/// Who comes closer comes closer to what is under the pointer, not to something behind it.
+scene::Camera zoomed_at(const Stage& stage, double factor, glm::dvec2 position) {
+  const View view = present_view(stage);
+  const std::optional<scene::SurfaceHit> hit =
+      factor > 1 ? stage.pick(view.ray(position)) : std::optional<scene::SurfaceHit>();
+  if (!hit) return zoom(stage.document.camera, factor, position, view);
+  return zoom(stage.document.camera, factor, to_glm(hit->jet.s));
+}
+
 }  // namespace
 
 Outcome pointer(InteractionState& state, const Stage& stage, const PointerEvent& event) {
@@ -522,7 +531,7 @@ Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& eve
   const double exponent =
       std::min(std::max(std::min(pinch_rate * way, wheel_rate * notch), wheel_rate * way), largest_exponent);
   const double factor = std::exp(std::copysign(exponent, -event.delta.y));
-  set_camera(outcome, stage, zoom(stage.document.camera, factor, event.position, present_view(stage)));
+  set_camera(outcome, stage, zoomed_at(stage, factor, event.position));
   outcome.used = true;
   return outcome;
 }

@@ -44,7 +44,9 @@ bool same_view(const View& a, const View& b) {
          a.viewport.height == b.viewport.height;
 }
 
-int sum(const std::vector<int>& steps) { return std::accumulate(steps.begin(), steps.end(), 0); }
+double vertices(const GridSteps& steps) {
+  return std::accumulate(steps.u.begin(), steps.u.end(), 1.0) * std::accumulate(steps.v.begin(), steps.v.end(), 1.0);
+}
 
 bool finer_somewhere(const std::vector<int>& a, const std::vector<int>& b) {
   for (std::size_t k = 0; k < a.size(); ++k)
@@ -62,7 +64,7 @@ GridSteps finest_of(GridSteps a, const GridSteps& b) {
 bool worth_changing(const GridSteps& from, const GridSteps& to) {
   if (from.u.size() != to.u.size() || from.v.size() != to.v.size()) return true;
   if (finer_somewhere(to.u, from.u) || finer_somewhere(to.v, from.v)) return true;
-  return 2.0 * sum(to.u) * sum(to.v) < 1.0 * sum(from.u) * sum(from.v);
+  return 2 * vertices(to) < vertices(from);
 }
 
 }  // namespace
@@ -101,7 +103,10 @@ bool StageGrid::fit(const Look& look) {
   GridSteps wanted = steps_on_screen(look.figure, look.view);
   // What moves asks for now this, now that: it keeps what it has had, so that after a while nothing is made anew.
   kept_ = look.busy && !must;
-  if (kept_) wanted = finest_of(std::move(wanted), steps_);
+  if (kept_) {
+    GridSteps both = finest_of(wanted, steps_);
+    if (vertices(both) <= most_vertices) wanted = std::move(both);
+  }
   if (!must && !worth_changing(steps_, wanted)) return false;
   fitted_ = true;
   steps_ = std::move(wanted);

@@ -83,14 +83,18 @@ function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
     state.line = end + 1;
     return true;
   });
-  // Punctuation behind a formula stays on its line.
+  // Punctuation behind a formula or a phrase that acts stays on its line.
   md.core.ruler.push('punctuation', (state) => {
     for (const { children } of state.tokens) {
+      let opened: (typeof state.tokens)[number] | undefined;
       children?.forEach((token, index) => {
+        if (token.type === 'link_open') opened = token;
         const next = children[index + 1];
-        if (token.type !== 'math_inline' || next?.type !== 'text') return;
+        const acts = token.type === 'link_close' && String(opened?.attrGet('href')).startsWith('knotwork:');
+        if ((token.type !== 'math_inline' && !acts) || next?.type !== 'text') return;
         token.info = /^[.,:;!?)]+/.exec(next.content)?.[0] ?? '';
         next.content = next.content.slice(token.info.length);
+        if (acts && token.info) opened!.meta = { together: true };
       });
     }
   });
@@ -161,8 +165,9 @@ function addLinks(md: MarkdownIt): void {
     const token = tokens[index]!;
     const href = String(token.attrGet('href') ?? '');
     if (href.startsWith('knotwork:')) {
-      closing.push('</button>');
-      return `<button type="button" class="act" data-run="${md.utils.escapeHtml(href.slice(9))}" disabled>`;
+      const together = Boolean(token.meta?.together);
+      closing.push(together ? '</span>' : '', '</button>');
+      return `${together ? '<span class="together">' : ''}<button type="button" class="act" data-run="${md.utils.escapeHtml(href.slice(9))}" disabled>`;
     }
     if (href.startsWith('hue:')) {
       closing.push('</span>');
@@ -171,5 +176,8 @@ function addLinks(md: MarkdownIt): void {
     closing.push('</a>');
     return self.renderToken(tokens, index, options);
   };
-  md.renderer.rules['link_close'] = () => closing.pop() ?? '';
+  md.renderer.rules['link_close'] = (tokens, index) => {
+    const close = closing.pop() ?? '';
+    return close === '</button>' ? `${close}${tokens[index]!.info}${closing.pop() ?? ''}` : close;
+  };
 }

@@ -30,6 +30,13 @@ test('phrases that act become buttons, words in a hue become spans, links stay l
   assert.match(html, /<a href="https:\/\/example\.org\/">there<\/a>/);
 });
 
+test('punctuation stays on the line of its phrase', () => {
+  const html = render('[go](knotwork:play): now, [stop](knotwork:pause) or [there](https://example.org/).');
+  assert.match(html, /<span class="together"><button[^>]*>go<\/button>:<\/span> now/);
+  assert.match(html, /now, <button[^>]*>stop<\/button> or/);
+  assert.match(html, /<a href="https:\/\/example\.org\/">there<\/a>\./);
+});
+
 test('formulas are both HTML and MathML, and have no style attribute', () => {
   const mathematics = new Mathematics();
   const { html } = renderChapter(`${head}$\\htmlClass{local-b}{s_{i,j}}$, then\n\n$$\n\\frac{a}{b}\n$$\n`, mathematics);

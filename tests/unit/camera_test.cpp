@@ -208,6 +208,24 @@ TEST_CASE("zoom keeps what is under the anchor, at the limits of the distance to
   }
 }
 
+TEST_CASE("zoom about a point in front of the target comes nearer and nearer to it and never passes it") {
+  scene::Camera camera;
+  const glm::dvec3 around = to_glm(camera.target) +
+                            0.6 * (make_view(camera, viewports[0]).eye - to_glm(camera.target)) +
+                            glm::dvec3(0.1, 0.2, -0.1);
+  const glm::dvec2 there = screen_of(make_view(camera, viewports[0]), around);
+  double before = glm::distance(make_view(camera, viewports[0]).eye, around);
+  for (int notch = 0; notch < 16; ++notch) {
+    camera = zoom(camera, 1.25, around);
+    const View view = make_view(camera, viewports[0]);
+    CHECK(gap(screen_of(view, around), there) < 1e-6);
+    const double now = glm::distance(view.eye, around);
+    CHECK(now == doctest::Approx(before / 1.25));
+    before = now;
+  }
+  CHECK(zoom(camera, 0, around) == camera);
+}
+
 TEST_CASE("the field of view is that of the free area's shorter side") {
   for (const Viewport& viewport : viewports) {
     const View view = make_view(scene::Camera{}, viewport);

@@ -223,6 +223,14 @@ TEST_CASE("parameters: a new model opens what it cannot close and keeps the rest
   CHECK(blending_surface(cylinder).topology_u == Topology::open);
   CHECK(blending_surface(cylinder).topology_v == Topology::closed);
 
+  // What only the model kept open closes again where another one can; what the reader has opened stays open.
+  const Document round = with("model", "torus", plane);
+  CHECK(blending_surface(round).topology_u == Topology::closed);
+  CHECK(blending_surface(round).topology_v == Topology::closed);
+  const Document cut = with("model", "torus", with("topology.v", "open", cylinder));
+  CHECK(blending_surface(cut).topology_u == Topology::closed);
+  CHECK(blending_surface(cut).topology_v == Topology::open);
+
   // The same model again does not reset its measures.
   Document torus = with("model", "torus");
   blending_surface(torus).model = torus_surface(2, 0.5, 0.25);

@@ -174,7 +174,9 @@ bool is_made_from_list(const Shape& shape) {
 Status set_points(Shape& shape, std::vector<Eigen::Vector3d> points) {
   if (auto* fitted = std::get_if<FittedCurveObject>(&shape)) return set_points(*fitted, std::move(points));
   if (auto* polygon = std::get_if<SubdivisionCurveObject>(&shape)) return set_points(*polygon, std::move(points));
-  return Error{"points", "What is on the stage is not made from a list of points."};
+  return Error{
+      "points",
+      "What is on the stage is not made from a list of points. A fitted curve or a subdivision is: open one first."};
 }
 
 Status set_point(Shape& shape, int index, const Eigen::Vector3d& position) {

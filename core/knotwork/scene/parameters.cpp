@@ -269,7 +269,8 @@ int net_degree(const BSplineSurfaceObject& object, NetDirection direction) {
   return direction_of(object, direction).degree;
 }
 
-/// A direction that the new model cannot close falls open in the same step, so that one undo brings both back.
+/// A direction that the new model cannot close falls open in the same step, so that one undo brings both back; one that
+/// the last model could not close, and so kept open whatever the reader had chosen, closes where the new one can.
 Parameter model() {
   Parameter result = row("model", "model", "Topology", ParameterKind::choice);
   for (const ModelRow& kind : model_kinds()) result.choices.push_back({std::string(kind.id), std::string(kind.label)});
@@ -283,9 +284,14 @@ Parameter model() {
     if (kind == model_kind(*stage_model(document))) return success();
     auto* blending = std::get_if<BlendingSurfaceObject>(&stage_shape(document));
     if (blending == nullptr && kind == ModelKind::sheet) return Error{"", std::string(sheet_alone)};
+    const bool forced_u = !closes_u(*stage_model(document)), forced_v = !closes_v(*stage_model(document));
     *stage_model(document) = make_model(kind);
-    if (blending != nullptr && !closes_u(blending->model)) blending->topology_u = Topology::open;
-    if (blending != nullptr && !closes_v(blending->model)) blending->topology_v = Topology::open;
+    if (blending != nullptr) {
+      if (forced_u) blending->topology_u = Topology::closed;
+      if (forced_v) blending->topology_v = Topology::closed;
+      if (!closes_u(blending->model)) blending->topology_u = Topology::open;
+      if (!closes_v(blending->model)) blending->topology_v = Topology::open;
+    }
     if (blending != nullptr && !seam_problem(*blending).message.empty()) {
       const bool in_u = domain(blending->model).closure_u == Closure::twisted;
       (in_u ? blending->topology_u : blending->topology_v) = Topology::open;
