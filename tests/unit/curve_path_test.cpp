@@ -93,7 +93,9 @@ TEST_CASE("a stretch that bows into the picture from beside it, or whose neighbo
   const Eigen::Vector3d middle = curve(std::lerp(curve.start, curve.end, share));
   for (const double distance : {0.3, 0.05, 0.02}) {
     // From above, where the stretch lies level in the picture, and along the curve.
-    for (const auto& [azimuth, elevation] : {std::pair(along, 1.5533), std::pair(along + std::numbers::pi / 2, 0.05)}) {
+    for (const std::pair<double, double>& angles :
+         {std::pair(along, 1.5533), std::pair(along + std::numbers::pi / 2, 0.05)}) {
+      const double azimuth = angles.first, elevation = angles.second;
       for (const glm::dvec2 way : {glm::dvec2(0, 394), glm::dvec2(0, -394), glm::dvec2(594, 0), glm::dvec2(-594, 0)}) {
         CAPTURE(distance);
         CAPTURE(elevation);
