@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "knotwork/later.h"
 #include "web/figure_panel.h"
 
 namespace knotwork::web {
@@ -190,9 +191,9 @@ std::vector<float> thumbnail(std::string_view family) {
   return curve;
 }
 
-void choice_list(Frame& frame, const Parameter& parameter, const Rect& button) {
+KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const Rect& button,
+                                const std::string& popup) {
   Interface& ui = frame.ui;
-  const std::string popup = std::string(parameter.id) + " list";
   const bool curves = parameter.id == "blending.function";
   const float item = ui.touch ? 42.0F : 30.0F, edge = 6;
   float width = button.width;
@@ -289,7 +290,7 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
       if (option.id == present) name = option.label;
     if (combo_button(frame.ui, parameter.id, rect, name, ImGui::IsPopupOpen(popup.c_str())))
       ImGui::OpenPopup(popup.c_str());
-    choice_list(frame, parameter, rect);
+    if (ImGui::IsPopupOpen(popup.c_str())) choice_list(frame, parameter, rect, popup);
   } else if (const auto clicked = segmented(frame.ui, parameter.id, rect, segments)) {
     if (!segments[*clicked].chosen) set(frame, parameter, parameter.choices[*clicked].id);
   }
@@ -385,7 +386,7 @@ void first_part(Frame& frame, Column& column) {
 }
 
 /// All rows of the table that have no place of their own, group by group; groups of switches first, as they are used most.
-void other_parts(Frame& frame, Column& column) {
+KNOTWORK_LATER void other_parts(Frame& frame, Column& column) {
   const std::span<const std::string_view> beside_clock =
       std::span(clock_rows).first(frame.ui.touch ? phone_clock_rows : clock_rows.size());
   const auto other = [&](const Parameter& parameter) {

@@ -15,8 +15,8 @@ void add_handles(Picture& picture, std::span<const Handle> handles, const scene:
                  const InteractionState& state);
 
 /// The gizmo round the selected handle, the part under the pointer or held drawn stronger.
-KNOTWORK_LATER void add_gizmo(Picture& picture, const BlendingSurface& surface,
-                              const scene::BlendingSurfaceObject& object, const InteractionState& state);
+void add_gizmo(Picture& picture, const BlendingSurface& surface, const scene::BlendingSurfaceObject& object,
+               const InteractionState& state);
 
 void add_gizmo_strokes(Picture& picture, const Gizmo& gizmo, const InteractionState& state);
 
