@@ -804,7 +804,7 @@ bool App::wheel(const WheelEvent& event) {
     return true;
   }
   const Outcome outcome = web::wheel(interaction_, stage(event.position), event);
-  last_zoom_ = now_;
+  if (outcome.used) last_zoom_ = now_;
   apply_outcome(outcome);
   return outcome.used;
 }

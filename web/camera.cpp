@@ -130,7 +130,11 @@ scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewpo
 }
 
 scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view) {
-  const double size = view.pixel_size(to_glm(camera.target));
+  return pan(camera, pixels, view, to_glm(camera.target));
+}
+
+scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view, glm::dvec3 point) {
+  const double size = view.pixel_size(point);
   scene::Camera moved = camera;
   moved.target += to_eigen(size * (pixels.y * view.up - pixels.x * view.right));
   return limited(moved, camera);

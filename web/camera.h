@@ -56,6 +56,8 @@ View make_view(const scene::Camera& camera, const Viewport& viewport);
 scene::Camera orbit(const scene::Camera& camera, glm::dvec2 pixels, const Viewport& viewport);
 /// What lies at the target's depth follows the pointer.
 scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view);
+/// The same with what lies as deep as a point.
+scene::Camera pan(const scene::Camera& camera, glm::dvec2 pixels, const View& view, glm::dvec3 point);
 /// factor > 1 comes closer; the point under `anchor` at the target's depth stays there.
 scene::Camera zoom(const scene::Camera& camera, double factor, glm::dvec2 anchor, const View& view);
 /// The same about a point of the stage, which stays where it is on the screen and is never passed.

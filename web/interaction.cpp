@@ -241,6 +241,14 @@ void begin_drag(InteractionState& state, const Stage& stage, Outcome& outcome, c
   outcome.redraw = true;
 }
 
+/// What one sees at a place of the stage: the surface, or what lies as deep as the target.
+glm::dvec3 seen_at(const Stage& stage, const View& view, glm::dvec2 position) {
+  const scene::Ray ray = view.ray(position);
+  if (const auto hit = stage.pick(ray)) return to_glm(hit->jet.s);
+  const glm::dvec3 way = to_glm(ray.direction);
+  return view.eye + stage.document.camera.distance / glm::dot(way, view.forward) * way;
+}
+
 void begin_pinch(InteractionState& state, const Stage& stage, Outcome& outcome, int first, const PointerEvent& event) {
   if (holds_something(state)) {
     const bool was_meant = !state.gesture_open || event.time - state.gesture_time <= just_begun;
@@ -254,6 +262,7 @@ void begin_pinch(InteractionState& state, const Stage& stage, Outcome& outcome, 
   state.drag = Drag::pinch;
   state.drag_pointer = first;
   state.second_pointer = event.id;
+  state.pinched = seen_at(stage, present_view(stage), 0.5 * (state.pointers.at(first).position + event.position));
   state.last_tap.reset();
 }
 
@@ -263,8 +272,9 @@ void continue_pinch(const InteractionState& state, const Stage& stage, Outcome& 
       state.pointers.at(moved == state.drag_pointer ? state.second_pointer : state.drag_pointer).position;
   const double factor =
       std::max(glm::length(now - other), least_spread) / std::max(glm::length(before - other), least_spread);
-  const scene::Camera zoomed = zoom(stage.document.camera, factor, 0.5 * (before + other), present_view(stage));
-  set_camera(outcome, stage, pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport)));
+  const scene::Camera zoomed = zoom(stage.document.camera, factor, state.pinched);
+  set_camera(outcome, stage,
+             pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport), state.pinched));
 }
 
 void drag_held(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
@@ -475,10 +485,8 @@ void stage_key(InteractionState& state, const Stage& stage, Outcome& outcome, st
 /// Who comes closer comes closer to what is under the pointer, not to something behind it.
 scene::Camera zoomed_at(const Stage& stage, double factor, glm::dvec2 position) {
   const View view = present_view(stage);
-  const std::optional<scene::SurfaceHit> hit =
-      factor > 1 ? stage.pick(view.ray(position)) : std::optional<scene::SurfaceHit>();
-  if (!hit) return zoom(stage.document.camera, factor, position, view);
-  return zoom(stage.document.camera, factor, to_glm(hit->jet.s));
+  if (factor > 1) return zoom(stage.document.camera, factor, seen_at(stage, view, position));
+  return zoom(stage.document.camera, factor, position, view);
 }
 
 }  // namespace

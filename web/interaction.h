@@ -36,6 +36,7 @@ struct InteractionState {
   enum class Drag : unsigned char { none, handle, gizmo, orbit, pan, pinch, draw, rest };
   Drag drag = Drag::none;
   int drag_pointer = -1, second_pointer = -1;  ///< the second of a pinch
+  glm::dvec3 pinched{0};                       ///< the place in the model that a pinch keeps between its fingers
   GizmoPart drag_part = GizmoPart::turn_normal;
   Held held;                  ///< of a handle or gizmo drag
   bool drawing = false;       ///< the next drag draws the figure's points

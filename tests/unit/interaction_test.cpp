@@ -301,7 +301,8 @@ TEST_CASE("two fingers pan and pinch; the same places stay under them") {
     Reader reader;
     touch(reader);
     reader.frame_each_event = frame_each_event;
-    const glm::dvec2 a(60, 500), b(160, 560);
+    const glm::dvec2 a(60, 700), b(160, 760);
+    REQUIRE_FALSE(reader.stage().pick(reader.view.ray(0.5 * (a + b))).has_value());
     reader.down(a, 1);
     reader.down(b, 2);
     CHECK(reader.state.drag == Drag::pinch);
@@ -328,6 +329,30 @@ TEST_CASE("two fingers pan and pinch; the same places stay under them") {
     CHECK(gap(middle, 0.5 * (end_a + end_b)) < 1e-6);
     CHECK_FALSE(reader.history.can_undo());
   }
+}
+
+TEST_CASE("a pinch over the surface keeps the place between the fingers and never passes it") {
+  Reader reader;
+  touch(reader);
+  const glm::dvec2 middle = reader.at(reader.visible_handle()) + glm::dvec2(10, -20);
+  const auto hit = reader.stage().pick(reader.view.ray(middle));
+  REQUIRE(hit.has_value());
+  const glm::dvec3 place = to_glm(hit->jet.s);
+  glm::dvec2 shift(0);
+  for (int pinch = 0; pinch < 4; ++pinch) {
+    const glm::dvec2 a = middle + shift - glm::dvec2(30, 10), b = middle + shift + glm::dvec2(30, 10);
+    reader.down(a, 1);
+    reader.down(b, 2);
+    for (int k = 1; k <= 10; ++k) {
+      reader.move(a - static_cast<double>(k) * glm::dvec2(12, 3), 1);
+      reader.move(b + static_cast<double>(k) * glm::dvec2(14, 5), 2);
+    }
+    shift += glm::dvec2(10, 10);
+    CHECK(gap(glm::dvec2(*reader.view.project(place)), middle + shift) < 0.5);
+    reader.up(a - glm::dvec2(120, 30), 1);
+    reader.up(b + glm::dvec2(140, 50), 2);
+  }
+  CHECK(reader.view.pixel_size(place) < 0.01 * make_view(scene::Camera{}, reader.viewport).pixel_size(place));
 }
 
 TEST_CASE("fingers left over from a pinch rest; a finger put back goes on") {
