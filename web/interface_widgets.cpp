@@ -370,6 +370,27 @@ double SliderScale::share_of(double value) const {
   return std::clamp(share, 0.0, 1.0);
 }
 
+namespace {
+
+enum class Taking : unsigned char { not_yet, now, earlier };
+
+/// When a press takes a slider: a mouse's at once; a finger's when it goes sideways, or by a tap, as one that goes up or
+/// down scrolls the rows that the slider is among.
+Taking taken(const Interface& ui, std::string_view id, const Press& press) {
+  if (!ui.touch) return press.taken ? Taking::now : Taking::earlier;
+  constexpr float slop = 6;
+  bool& undecided = *ImGui::GetStateStorage()->GetBoolRef(id_of(id, "undecided"), false);
+  if (press.taken) undecided = true;
+  if (!undecided) return Taking::earlier;
+  const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0);
+  const bool sideways = press.held && std::abs(way.x) > slop && std::abs(way.x) >= std::abs(way.y);
+  const bool tapped = press.let_go && std::max(std::abs(way.x), std::abs(way.y)) <= slop;
+  if (press.let_go || sideways) undecided = false;
+  return ui.listening && (sideways || tapped) ? Taking::now : Taking::not_yet;
+}
+
+}  // namespace
+
 SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const SliderScale& scale, double value,
                    bool enabled) {
   const Theme& theme = ui.theme;
@@ -384,14 +405,16 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
     // Where on the thumb the pointer holds it, so that it does not jump when it is taken.
     float& grip = *ImGui::GetStateStorage()->GetFloatRef(id_of(id, "grip"), 0);
     const float pointer = ImGui::GetIO().MousePos.x;
-    event.taken = press.taken;
-    if (press.taken) {
-      const float off = pointer - (start + length * static_cast<float>(scale.share_of(value)));
+    const Taking taking = taken(ui, id, press);
+    event.taken = taking == Taking::now;
+    if (event.taken) {
+      const float off =
+          ImGui::GetIO().MouseClickedPos[0].x - (start + length * static_cast<float>(scale.share_of(value)));
       grip = std::abs(off) <= radius + 2 ? off : 0;
     }
-    const bool jumps = press.taken && grip == 0;
-    if (press.held && (jumps || ImGui::GetIO().MouseDelta.x != 0))
-      event.value = scale.value_at(static_cast<double>((pointer - grip - start) / length));
+    const bool jumps = event.taken && grip == 0;
+    const bool follows = press.held && taking != Taking::not_yet && ImGui::GetIO().MouseDelta.x != 0;
+    if (jumps || follows) event.value = scale.value_at(static_cast<double>((pointer - grip - start) / length));
     event.moved = event.value != value;
   }
   event.let_go = press.let_go;

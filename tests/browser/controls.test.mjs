@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
-  call, clickWidget, difference, documentOf, drag, frontHandle, handlesOf, hasWidget, nextUndo, parameter, picture,
+  call, clickWidget, difference, documentOf, drag, fingers, frontHandle, handlesOf, hasWidget, nextUndo, parameter, picture,
   plus, sampleCells, settled, showMore, statsOf, surfaceOf, until, widget,
 } from './stage.mjs';
 
@@ -176,8 +176,36 @@ pageTest('the panel is a drawer on a phone', { size: [390, 844], scale: 2, touch
   assert.equal((await surfaceOf(page)).topology.u, 'open');
 });
 
+const thumb = 'a thumb that goes up scrolls the drawer; sideways it takes a slider, and a tap brings the slider there';
+pageTest(thumb, { size: [390, 844], scale: 2, touch: true }, async (page) => {
+  await page.touchscreen.tap(...(await widget(page, 'controls')).centre);
+  await settled(page);
+  const hand = await fingers(page);
+  const slider = () => widget(page, 'locals.u');
+  const start = await surfaceOf(page);
+  const { centre: [x, y] } = await slider();
+
+  await hand.sweep([[x, y]], [[x + 4, y - 90]]);
+  await settled(page);
+  assert.deepEqual((await surfaceOf(page)).locals, start.locals, 'scrolling has changed a value');
+  const scrolled = await call(page, 'widgets');
+  const now = scrolled.find(({ label }) => label === 'locals.u');
+  assert.ok(!now || now.rect[1] + now.rect[3] / 2 < y - 40, 'the drawer has not scrolled');
+
+  await hand.sweep([[x, y - 90]], [[x, y + 40]]);
+  await settled(page);
+  const { x: left, y: top, width, height } = await slider();
+  await hand.sweep([[left + width / 2, top + height / 2]], [[left + width - 12, top + height / 2]]);
+  await settled(page);
+  const dragged = (await surfaceOf(page)).locals.u;
+  assert.ok(dragged > start.locals.u, `${dragged} patches`);
+  await page.touchscreen.tap(left + 12, top + height / 2);
+  await settled(page);
+  assert.ok((await surfaceOf(page)).locals.u < dragged);
+});
+
 pageTest('items of the panel lie on the stage and are large enough to hit', {}, async (page) => {
-  await showMore(page, 'samples.u');
+  await showMore(page, 'display.wireframe');
   const stage = await page.locator('canvas').boundingBox();
   for (const { label, rect: [x, y, w, h] } of await call(page, 'widgets')) {
     assert.ok(w >= 16 && h >= 16, `${label} is ${w} by ${h}`);

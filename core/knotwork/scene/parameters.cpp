@@ -164,6 +164,10 @@ Parameter samples(std::string_view id, std::string_view label) {
     if (status) document.display.adaptive = false;  // who says how many means so many
     return status;
   };
+  result.disabled = [](const Document& document) -> std::string {
+    return document.display.adaptive ? "The mesh is as fine as the screen asks for, until \"fit to screen\" is off."
+                                     : "";
+  };
   return result;
 }
 
@@ -720,7 +724,6 @@ std::vector<Parameter> make_table() {
                                                                          max_degree),
       of_net<u, limits::net, line_counts, line_count, set_line_count>("net.u", "rows (u)", "Control net", 16),
       of_net<v, limits::net, line_counts, line_count, set_line_count>("net.v", "columns (v)", "Control net", 16),
-      about<Surface, NetSurface, Alone>(toggle<&Display::adaptive>("samples.adaptive", "fit to screen", "Sampling")),
       samples<u>("samples.u", "samples u"),
       samples<v>("samples.v", "samples v"),
       curve_topology(),
@@ -756,6 +759,8 @@ std::vector<Parameter> make_table() {
           toggle<&Display::construction>("display.construction", "construction", "Show")),
       about<Surface, Bezier, BSpline, Fitted, Subdivision, Model, Blending, NetSurface>(
           toggle<&Display::handles>("display.handles", "handles", "Show")),
+      // Behind what is shown: the panel has groups with switches in the order of the table.
+      about<Surface, NetSurface, Alone>(toggle<&Display::adaptive>("samples.adaptive", "fit to screen", "Sampling")),
       about<Surface, Blending, Subdivision>(
           without_history(toggle<&Animation::playing>("animation.playing", "playing", "Animation"))),
       moving(without_history(
