@@ -273,8 +273,7 @@ void continue_pinch(const InteractionState& state, const Stage& stage, Outcome& 
   const double factor =
       std::max(glm::length(now - other), least_spread) / std::max(glm::length(before - other), least_spread);
   const scene::Camera zoomed = zoom(stage.document.camera, factor, state.pinched);
-  set_camera(outcome, stage,
-             pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport), state.pinched));
+  set_camera(outcome, stage, pan(zoomed, 0.5 * (now - before), make_view(zoomed, stage.view.viewport), state.pinched));
 }
 
 void drag_held(InteractionState& state, const Stage& stage, Outcome& outcome, const PointerEvent& event) {
