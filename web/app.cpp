@@ -196,6 +196,40 @@ Status App::open_chapter(std::string_view id) {
   return status;
 }
 
+bool App::enter_scene(const std::string& name) {
+  if (name == scene_) return true;
+  history_.end_gesture();
+  forget_gesture();
+  const bool first = scene_.empty();  // what the stage starts with becomes the first scene
+  if (!first) left_scenes_[scene_] = {document_, std::move(history_), camera_is_ours_};
+  scene_ = name;
+  if (first) return false;
+  interaction_.drawing = false;
+  interaction_.selected.reset();
+  interaction_.probe.reset();
+  if (interaction_.drag != InteractionState::Drag::none) interaction_.drag = InteractionState::Drag::rest;
+  const auto found = left_scenes_.find(name);
+  const bool known = found != left_scenes_.end();
+  if (known) {
+    document_ = std::move(found->second.document);
+    camera_is_ours_ = found->second.camera_is_ours;
+    snap();
+    // The stage may have got another size meanwhile.
+    recompose_ = compose_at_once_ = camera_is_ours_;
+  }
+  history_ = known ? std::move(found->second.history) : scene::History();
+  if (known) left_scenes_.erase(found);
+  changed();
+  return known;
+}
+
+void App::forget_history() {
+  history_ = scene::History();
+  notice_.clear();
+  spoken_.clear();
+  changed();
+}
+
 /// The history has one gesture at a time. When something else ends it under a hand, what the hand goes on to do is
 /// another step.
 void App::forget_gesture() { interaction_.gesture_open = interaction_.nudging = false; }
@@ -289,7 +323,8 @@ void App::update_surface(const scene::BlendingSurfaceObject& object) {
   const auto* made_from = std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from);
   const bool same_shape =
       shown && made_from && same(roll_.shown, geometry_.roll) && same_static_part(object, *made_from);
-  if (same_shape && object.edits == made_from->edits && document_.animation == geometry_.animation) return;
+  const bool same_object = same_shape && object.edits == made_from->edits;
+  if (same_object && document_.animation == geometry_.animation) return;
   if (same_shape) {
     scene::update_locals(shown->surface, object, document_.animation, roll_.shown, shown->axes);
     shown->net.reset();
@@ -299,7 +334,7 @@ void App::update_surface(const scene::BlendingSurfaceObject& object) {
     geometry_.tables_uploaded = geometry_.hues_uploaded = false;
     floor_.half_size = 0;  // another shape needs another floor, even while it moves
   }
-  geometry_.made_from = object;
+  if (!same_object) geometry_.made_from = object;  // a frame of the animation copies no edits
   geometry_.animation = document_.animation;
   geometry_.maps_uploaded = false;
   handles_.clear();
@@ -389,7 +424,8 @@ void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSur
   if (choose_grid(std::min(object.samples_u, most), std::min(object.samples_v, most)))
     renderer_.upload(blending_tables(surface, grid_.grid(*geometry_.figure)));
   if (!geometry_.maps_uploaded) {
-    renderer_.upload_maps(map_table(surface), counts.u, counts.v);
+    map_table(surface, maps_);
+    renderer_.upload_maps(maps_, counts.u, counts.v);
     geometry_.maps_uploaded = true;
   }
   if (!geometry_.hues_uploaded) {
@@ -435,7 +471,7 @@ void App::update_floor(double seconds) {
 const std::vector<Handle>& App::handles() {
   update_geometry();  // a script may ask between a command and its frame
   const View now = view();
-  if (handles_.empty()) handles_ = handles_of(*geometry_.figure, geometry_.made_from);
+  if (handles_.empty()) take_handles(*geometry_.figure, geometry_.made_from, handles_);
   for (Handle& handle : handles_) handle.screen = now.project(handle.position);
   return handles_;
 }
@@ -682,6 +718,9 @@ const Picture& App::picture() {
   picture.display = document_.display;
   picture.floor = floor_;
   add_to_picture(picture, *geometry_.figure, {document_, interaction_, handles(), roll_.active});
+  for (const Eigen::Vector3d& ring : document_.display.rings)
+    picture.overlay_discs.push_back(
+        {glm::vec3(to_glm(ring)), 11, to_glm(theme_.paper, 0), to_glm(theme_.accent), 2.5F});
   return picture;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -49,7 +50,7 @@ class App {
   bool frame(double now);
   bool wants_frame() const { return pending_frames_ > 0; }
   /// Draws the figure as it stands, without the interface over it: for paper.
-  void draw_still();
+  KNOTWORK_LATER void draw_still();
 
   bool pointer(const PointerEvent& event);
   bool wheel(const WheelEvent& event);
@@ -61,6 +62,11 @@ class App {
   Status perform(const scene::Command& command);
   Status load(scene::Document document);
   Status open_chapter(std::string_view id);
+  /// The page has many figures and one stage: each is a scene with a document and a history of its own. True: it is on
+  /// the stage as it was left. False: it is new, with what is on the stage now, and the caller says what it shows.
+  KNOTWORK_LATER bool enter_scene(const std::string& name);
+  /// What has been done to the document is its start.
+  KNOTWORK_LATER void forget_history();
   /// Points as text replace those on the stage; a refusal is shown as a notice too.
   KNOTWORK_LATER Status take_points(std::string_view text);
   /// Commands between an opened and a closed gesture are one step of the history.
@@ -145,6 +151,13 @@ class App {
 
   scene::Document document_;
   scene::History history_;
+  struct Scene {
+    scene::Document document;
+    scene::History history;
+    bool camera_is_ours;
+  };
+  std::map<std::string, Scene> left_scenes_;
+  std::string scene_;  ///< the name of the one on the stage
   InteractionState interaction_;
   PanelState panel_state_;
   PanelOutput panel_output_;
@@ -176,6 +189,7 @@ class App {
   std::set<int> interface_pointers_;     ///< pointers that went down on a panel
   std::optional<int> interface_leader_;  ///< the first of them: ImGui's mouse
   bool over_before_ = false;             ///< the hovering pointer was over a panel
+  std::vector<float> maps_;              ///< of the last frame; its memory is used again
   std::string notice_;                   ///< shown on the stage for a moment
   std::string spoken_;                   ///< for the page's live region: the last deed or notice
   double notice_until_ = 0;

@@ -26,7 +26,7 @@ std::string size_text(const Frame&, const scene::BlendingCurveFigure& figure) {
   return std::to_string(figure.curve.knots().count()) + " locals";
 }
 
-std::vector<Tool> tools_of(const Frame& frame, const scene::BlendingCurveFigure&) {
+Tools tools_of(const Frame& frame, const scene::BlendingCurveFigure&) {
   const auto* object = std::get_if<scene::BlendingCurveObject>(&frame.shape());
   return {{"reset", Icon::reset, object && !object->edits.empty(), words_reset_locals, scene::ResetLocals{}}};
 }

@@ -28,7 +28,7 @@ std::string size_text(const Frame& frame, const BlendingFigure&) {
   return std::to_string(object_of(frame).locals_u) + " × " + std::to_string(object_of(frame).locals_v);
 }
 
-std::vector<Tool> tools_of(const Frame& frame, const BlendingFigure&) {
+Tools tools_of(const Frame& frame, const BlendingFigure&) {
   return {{"reset", Icon::reset, !object_of(frame).edits.empty(), words_reset, scene::ResetPatches{}}};
 }
 
@@ -73,20 +73,24 @@ void draw_table(Frame& frame, Column& column, const BlendingFigure&) {
   column.y += line;
 
   const auto row = [&](std::string_view letter, int locals, Topology topology) {
-    const Result<KnotVector> made = KnotVector::uniform(1, locals, topology, 0, 1);
-    if (!made) return;
-    const KnotVector& knots = made.value();
-    const std::string domain = "[" + std::string(letter) + subscript(knots.degree()) + ", " + std::string(letter) +
-                               subscript(knots.last_span() + 1) + (knots.closed() ? ")" : "]");
-    const std::array<std::string, 3> counts{std::to_string(knots.knots().size()),
-                                            std::to_string(knots.interval_count()), std::to_string(knots.count())};
+    const bool closed = topology == Topology::closed;
+    // THEORY 2.8: n + 2 knots and n - 1 intervals, or n + 3 knots and n intervals.
+    const std::array<int, 3> counts{locals + (closed ? 3 : 2), closed ? locals : locals - 1, locals};
     ImGui::GetWindowDrawList()->AddLine({column.x, column.y - 1.5F}, {column.x + width, column.y - 1.5F},
                                         colour(theme.rule, 0.8F));
     text(frame.ui, Face::bold, {column.x, column.y + 8}, colour(theme.ink), letter);
-    text(frame.ui, Face::regular, {first, column.y + 8}, colour(theme.ink), domain);
+    text(frame.ui, Face::regular, {first, column.y + 8}, colour(theme.ink),
+         Words()
+             .add("[")
+             .add(letter)
+             .below(1)
+             .add(", ")
+             .add(letter)
+             .below(closed ? locals + 1 : locals)
+             .add(closed ? ")" : "]"));
     for (std::size_t k = 0; k < counts.size(); ++k)
-      text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink), counts[k],
-           Align::right);
+      text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink),
+           Words().add(counts[k]), Align::right);
     column.y += line;
   };
   row("u", object_of(frame).locals_u, object_of(frame).topology_u);

@@ -161,4 +161,15 @@ EMSCRIPTEN_KEEPALIVE const char* knotwork_select(const char* handle) {
 EMSCRIPTEN_KEEPALIVE const char* knotwork_points(const char* text) {
   return app() == nullptr ? no_app() : give(answer_points(*app(), text));
 }
+EMSCRIPTEN_KEEPALIVE bool knotwork_enter_scene(const char* name) {
+  const bool known = app() != nullptr && app()->enter_scene(name);
+  ask_for_frame();
+  return known;
+}
+EMSCRIPTEN_KEEPALIVE const char* knotwork_measure(const char* name) {
+  return app() == nullptr ? no_app() : give(answer_measure(*app(), name));
+}
+EMSCRIPTEN_KEEPALIVE void knotwork_forget_history() {
+  if (app() != nullptr) app()->forget_history();
+}
 }

@@ -22,7 +22,7 @@ std::string size_text(const Frame&, const scene::CurveFigure& figure) {
   return std::to_string(figure.curve.points().size()) + " points";
 }
 
-std::vector<Tool> tools_of(const Frame& frame, const scene::CurveFigure& figure) {
+Tools tools_of(const Frame& frame, const scene::CurveFigure& figure) {
   const bool point = selected_point(frame, figure).has_value();
   return {{"add", Icon::add, point, words_add, std::nullopt, "Insert"},
           {"remove", Icon::remove, point, words_remove, std::nullopt, "Delete"}};

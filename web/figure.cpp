@@ -291,9 +291,9 @@ bool has_handle(const scene::Shape& shape, HandleIndex index) {
   return index.first >= 0 && index.first < grid.columns && index.second >= 0 && index.second < grid.rows;
 }
 
-std::vector<Handle> handles_of(const Figure& figure, const scene::Shape& shape) {
+void take_handles(const Figure& figure, const scene::Shape& shape, std::vector<Handle>& handles) {
   const HandleGrid grid = handle_grid(shape);
-  std::vector<Handle> handles;
+  handles.clear();
   handles.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows) + 1);
   const auto add = [&](HandleIndex index) {
     const auto position = [&](const auto& shown) { return handle_position(shown, index); };
@@ -303,7 +303,6 @@ std::vector<Handle> handles_of(const Figure& figure, const scene::Shape& shape) 
     for (int j = 0; j < grid.rows; ++j) add({i, j});
   // Drawn and found after the points: where both are, a point is meant.
   if (grid.has_parameter) add(parameter_handle);
-  return handles;
 }
 
 std::vector<glm::dvec3> outline(const Figure& figure) {

@@ -101,7 +101,7 @@ struct Handle {
 };
 
 /// In the order of drawing and finding: of two in one place the first is meant.
-std::vector<Handle> handles_of(const Figure& figure, const scene::Shape& shape);
+void take_handles(const Figure& figure, const scene::Shape& shape, std::vector<Handle>& handles);
 
 /// Points that say how large the figure is: enough to place its picture.
 std::vector<glm::dvec3> outline(const Figure& figure);

@@ -28,7 +28,7 @@ std::string size_text(const Frame& frame) {
   return scene::visit_first([&](const auto& figure) { return size_text(frame, figure); }, frame.input.figure);
 }
 
-std::vector<Tool> tools_of(const Frame& frame) {
+Tools tools_of(const Frame& frame) {
   return scene::visit_first([&](const auto& figure) { return tools_of(frame, figure); }, frame.input.figure);
 }
 

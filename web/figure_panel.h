@@ -13,12 +13,13 @@ namespace knotwork::web {
 /// A button in the row of tools: it performs its command, or acts as the key does on the stage.
 struct Tool {
   std::string_view id;
-  Icon icon;
-  bool enabled;
+  Icon icon = Icon::reset;
+  bool enabled = false;
   std::string_view hint;
   std::optional<scene::Command> command;
   std::string_view key{};
 };
+using Tools = Few<Tool, 4>;
 
 /// Where a place of a surface is and how it is curved there, two lines; the next line's middle.
 float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const SurfaceCurvature& curved);
@@ -29,7 +30,7 @@ float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const S
 /// The size beside the title, as "6 × 4".
 std::string size_text(const Frame& frame);
 /// The buttons that only this kind has.
-std::vector<Tool> tools_of(const Frame& frame);
+Tools tools_of(const Frame& frame);
 /// Rows of the card below the first parameters.
 void draw_rows(Frame& frame, Column& column);
 /// A table that is folded away where the stage is low.

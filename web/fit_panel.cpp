@@ -37,7 +37,7 @@ std::string size_text(const Frame&, const scene::FitFigure& figure) {
   return std::to_string(figure.points.size()) + " points";
 }
 
-std::vector<Tool> tools_of(const Frame& frame, const scene::FitFigure& figure) {
+Tools tools_of(const Frame& frame, const scene::FitFigure& figure) {
   const bool datum = selected_datum(frame, figure).has_value();
   return {{"draw", Icon::pencil, true, fit_words::draw, std::nullopt, "d"},
           {"add", Icon::add, datum, fit_words::add, std::nullopt, "Insert"},

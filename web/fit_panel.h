@@ -8,7 +8,7 @@ namespace knotwork::web {
 
 std::string size_text(const Frame& frame, const scene::FitFigure& figure);
 /// Draw the points by hand; add and delete one.
-std::vector<Tool> tools_of(const Frame& frame, const scene::FitFigure& figure);
+Tools tools_of(const Frame& frame, const scene::FitFigure& figure);
 inline void draw_rows(Frame&, Column&, const scene::FitFigure&) {}
 inline bool has_table(const scene::FitFigure&) { return false; }
 inline void draw_table(Frame&, Column&, const scene::FitFigure&) {}

@@ -70,11 +70,21 @@ float run_width(const Interface& ui, Face face, const Run& run) {
   return font_of(ui, face)->CalcTextSizeA(size, FLT_MAX, 0, run.words.data(), run.words.data() + run.words.size()).x;
 }
 
-/// Of what ImGui keeps for a part of a widget.
-ImGuiID id_of(std::string_view label, const char* part) {
-  ImGui::PushID(label.data(), label.data() + label.size());
-  const ImGuiID id = ImGui::GetID(part);
+void push(WidgetName name) {
+  ImGui::PushID(name.word.data(), name.word.data() + name.word.size());
+  ImGui::PushID(name.choice.data(), name.choice.data() + name.choice.size());
+}
+
+void pop() {
   ImGui::PopID();
+  ImGui::PopID();
+}
+
+/// Of what ImGui keeps for a part of a widget.
+ImGuiID id_of(WidgetName name, const char* part) {
+  push(name);
+  const ImGuiID id = ImGui::GetID(part);
+  pop();
   return id;
 }
 
@@ -197,7 +207,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float unit, ImU32 ink
 }
 
 /// How strongly an item answers to the pointer, eased: 0 at rest, 1 hovered.
-float warmth(Interface& ui, std::string_view id, const Press& press) {
+float warmth(Interface& ui, WidgetName id, const Press& press) {
   return eased(ui, id_of(id, "warmth"), press.hovered || press.held ? 1.0F : 0.0F);
 }
 
@@ -278,16 +288,16 @@ void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, 
   list.AddText(font_of(ui, face), size_of(ui, face), corner, ink, words.data(), words.data() + words.size(), wrap);
 }
 
-Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
+Press press_area(Interface& ui, WidgetName name, const Rect& rect) {
   ImGui::SetCursorScreenPos(rect.min());
-  ImGui::PushID(label.data(), label.data() + label.size());
+  push(name);
   Press press;
   press.clicked = ImGui::InvisibleButton("press", {rect.width, rect.height}) && ui.listening;
   press.hovered = ImGui::IsItemHovered() && ui.listening;
   press.held = ImGui::IsItemActive();
   press.taken = ImGui::IsItemActivated();
   press.let_go = ImGui::IsItemDeactivated();
-  ImGui::PopID();
+  pop();
   if (press.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 
   const ImVec2 clip_min = ImGui::GetWindowDrawList()->GetClipRectMin();
@@ -297,7 +307,7 @@ Press press_area(Interface& ui, std::string_view label, const Rect& rect) {
   // A sliver that scrolling leaves at an edge is nothing to aim at.
   constexpr float least = 16;
   if (right - left >= std::min(least, rect.width) && bottom - top >= std::min(least, rect.height))
-    ui.record(label, {left, top, right - left, bottom - top});
+    ui.record(name, {left, top, right - left, bottom - top});
   return press;
 }
 
@@ -316,20 +326,18 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
 
   // Words of unequal length share what room is left evenly.
   const float spare = (rect.width - segmented_width(ui, segments)) / static_cast<float>(segments.size());
-  std::vector<Rect> places;
-  places.reserve(segments.size());
+  std::array<Rect, most_segments> places;
   float x = rect.x + inset;
-  for (const Segment& segment : segments) {
-    const float end = x + text_width(ui, Face::bold, segment.label) + 2 * segment_padding + spare;
-    places.push_back({std::round(x), rect.y, std::round(end) - std::round(x), rect.height});
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const float end = x + text_width(ui, Face::bold, segments[i].label) + 2 * segment_padding + spare;
+    places[i] = {std::round(x), rect.y, std::round(end) - std::round(x), rect.height};
     x = end;
   }
 
   std::optional<std::size_t> clicked;
-  std::vector<Press> presses;
-  presses.reserve(segments.size());
+  std::array<Press, most_segments> presses;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    presses.push_back(press_area(ui, segments[i].widget, places[i]));
+    presses[i] = press_area(ui, segments[i].widget, places[i]);
     if (presses[i].clicked) clicked = i;
     if (presses[i].hovered && !segments[i].refusal.empty())
       ui.hint = Widget{segments[i].refusal, {places[i].x, places[i].y, places[i].width, places[i].height}};
@@ -524,7 +532,7 @@ bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::str
   return press.clicked;
 }
 
-bool menu_item(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+bool menu_item(Interface& ui, WidgetName id, const Rect& rect, std::string_view label, bool chosen,
                std::string_view refusal, std::span<const float> curve) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Theme& theme = ui.theme;

@@ -25,6 +25,19 @@ struct Rect {
 enum class Face : unsigned char { regular, bold, small };
 enum class Align : unsigned char { left, centre, right };
 
+/// What a widget is called: a word, or a word and a choice, read as "word: choice". They are kept apart, as putting them
+/// together would take memory in every frame.
+struct WidgetName {
+  std::string_view word, choice;
+
+  // NOLINTBEGIN(google-explicit-constructor): most widgets are called by a word
+  WidgetName(std::string_view of) : word(of) {}
+  WidgetName(const std::string& of) : word(of) {}
+  WidgetName(const char* of) : word(of) {}
+  // NOLINTEND(google-explicit-constructor)
+  WidgetName(std::string_view of, std::string_view chosen) : word(of), choice(chosen) {}
+};
+
 /// What the widgets of one frame draw with and report to. They lay nothing out: each is given its rectangle, which is
 /// also where it can be clicked.
 struct Interface {
@@ -41,10 +54,12 @@ struct Interface {
   std::optional<Widget> hint;  ///< the words to show beside the item under the pointer
 
   /// Into the last frame's memory.
-  void record(std::string_view label, const std::array<double, 4>& rect) {
+  void record(WidgetName name, const std::array<double, 4>& rect) {
     if (drawn == widgets.size()) widgets.emplace_back();
-    widgets[drawn].label = label;
-    widgets[drawn++].rect = rect;
+    Widget& widget = widgets[drawn++];
+    widget.label = name.word;
+    if (!name.choice.empty()) widget.label.append(": ").append(name.choice);
+    widget.rect = rect;
   }
 };
 
@@ -83,17 +98,19 @@ void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, 
 struct Press {
   bool hovered = false, held = false, clicked = false, taken = false, let_go = false;
 };
-Press press_area(Interface& ui, std::string_view label, const Rect& rect);
+Press press_area(Interface& ui, WidgetName name, const Rect& rect);
 
 /// One segment of a switch; `refusal` says why it cannot be chosen now.
 struct Segment {
-  std::string label, widget;
+  std::string_view label;
+  WidgetName widget{""};
   bool chosen = false;
-  std::string refusal;
+  std::string refusal{};
 };
+inline constexpr std::size_t most_segments = 4;  ///< more choices are a list
 /// The width that a switch needs for its words.
 float segmented_width(const Interface& ui, std::span<const Segment> segments);
-/// Two or three choices side by side. Returns the clicked one, refused ones too: the refusal is then told by whoever
+/// Up to four choices side by side. Returns the clicked one, refused ones too: the refusal is then told by whoever
 /// applies the command.
 std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const Rect& rect,
                                      std::span<const Segment> segments);
@@ -140,7 +157,7 @@ bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::stri
 /// The closed form of a list of choices.
 bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open);
 /// A row of an open list, with a small plot of `curve` (values in [0,1]) at its right.
-bool menu_item(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+bool menu_item(Interface& ui, WidgetName id, const Rect& rect, std::string_view label, bool chosen,
                std::string_view refusal, std::span<const float> curve);
 
 /// B and 1-B over [0,1] in the hues of the two locals that they weigh, B' faintly behind; `w` is where the probe is.

@@ -7,7 +7,7 @@ namespace knotwork::web {
 // A model curve's part of the panel.
 
 std::string size_text(const Frame& frame, const scene::ModelCurveFigure& figure);
-inline std::vector<Tool> tools_of(const Frame&, const scene::ModelCurveFigure&) { return {}; }
+inline Tools tools_of(const Frame&, const scene::ModelCurveFigure&) { return {}; }
 inline void draw_rows(Frame&, Column&, const scene::ModelCurveFigure&) {}
 inline bool has_table(const scene::ModelCurveFigure&) { return false; }
 inline void draw_table(Frame&, Column&, const scene::ModelCurveFigure&) {}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 
 #include "web/figure_panel.h"
@@ -37,10 +38,31 @@ std::string superscript(int number) {
 }
 
 std::string subscript(int number) {
-  std::string out;
-  for (const char figure : std::to_string(number))
-    out += std::string("\xE2\x82") + static_cast<char>(0x80 + (figure - '0'));
-  return out;
+  const Words words = Words().below(number);
+  return std::string(std::string_view(words));
+}
+
+Words& Words::add(std::string_view words) {
+  const std::size_t fits = std::min(words.size(), text_.size() - 1 - size_);
+  std::copy_n(words.begin(), fits, text_.begin() + static_cast<std::ptrdiff_t>(size_));
+  size_ += fits;
+  return *this;
+}
+
+Words& Words::add(int number) {
+  std::array<char, 12> figures{};
+  const auto end = std::to_chars(figures.begin(), figures.end(), number).ptr;
+  return add({figures.data(), static_cast<std::size_t>(end - figures.data())});
+}
+
+Words& Words::below(int number) {
+  std::array<char, 12> figures{};
+  const auto end = std::to_chars(figures.begin(), figures.end(), number).ptr;
+  for (const char* figure = figures.data(); figure != end; ++figure) {
+    const std::array<char, 3> lowered{'\xE2', '\x82', static_cast<char>(0x80 + (*figure - '0'))};
+    add({lowered.data(), lowered.size()});
+  }
+  return *this;
 }
 
 void claim(Frame& frame, const Rect& rect) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "knotwork/later.h"
+#include "web/few.h"
 #include "web/figure_panel.h"
 
 namespace knotwork::web {
@@ -50,10 +51,9 @@ constexpr std::array<std::string_view, 23> first_rows{"topology.u",
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
-constexpr float padding = 16;             ///< inside the card
-constexpr float foot_clip = 3;            ///< rows end this much before the foot of what they scroll in
-constexpr std::size_t most_segments = 4;  ///< more choices are a list
-constexpr float combo_margin = 40;        ///< beside the words of a closed list
+constexpr float padding = 16;       ///< inside the card
+constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
+constexpr float combo_margin = 40;  ///< beside the words of a closed list
 
 // Measures that a finger needs larger.
 float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
@@ -66,6 +66,9 @@ Rect card_frame(const Frame& frame) {
   const float width = wide ? 276.0F : 252.0F, margin = wide ? 20.0F : 12.0F;
   return {stage.width - width - margin, margin, width, stage.height - frame.foot() - margin - 8};
 }
+
+/// Of the table; more than have a place in any group.
+using Rows = Few<const Parameter*, 40>;
 
 bool listed(std::span<const std::string_view> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -89,10 +92,14 @@ double number(const Frame& frame, const Parameter& parameter) {
   return found ? *found : 0;
 }
 
-std::string choice(const Frame& frame, const Parameter& parameter) {
+/// The index of the present choice.
+std::size_t chosen(const Frame& frame, const Parameter& parameter) {
+  if (parameter.chosen) return static_cast<std::size_t>(parameter.chosen(frame.input.document));
   const scene::ParameterValue value = parameter.get(frame.input.document);
-  const std::string* found = std::get_if<std::string>(&value);
-  return found ? *found : std::string();
+  const std::string* id = std::get_if<std::string>(&value);
+  const auto found = std::find_if(parameter.choices.begin(), parameter.choices.end(),
+                                  [&](const scene::Choice& option) { return id && option.id == *id; });
+  return static_cast<std::size_t>(found - parameter.choices.begin());
 }
 
 bool switched_on(const Frame& frame, const Parameter& parameter) {
@@ -101,15 +108,15 @@ bool switched_on(const Frame& frame, const Parameter& parameter) {
   return found && *found;
 }
 
-std::string why_disabled(const Frame& frame, const Parameter& parameter) {
-  return parameter.disabled ? parameter.disabled(frame.input.document) : std::string();
+std::string_view why_disabled(const Frame& frame, const Parameter& parameter) {
+  return parameter.disabled ? parameter.disabled(frame.input.document) : std::string_view();
 }
 
 /// The reason why a row cannot be changed, shown while the pointer rests on it.
-void hint_if_hovered(Frame& frame, const Rect& rect, const std::string& reason) {
+void hint_if_hovered(Frame& frame, const Rect& rect, std::string_view reason) {
   if (reason.empty() || !ImGui::IsWindowHovered()) return;
   if (ImGui::IsMouseHoveringRect(rect.min(), rect.max()))
-    frame.ui.hint = Widget{reason, {rect.x, rect.y, rect.width, rect.height}};
+    frame.ui.hint = Widget{std::string(reason), {rect.x, rect.y, rect.width, rect.height}};
 }
 
 void take_slider(Frame& frame, const Parameter& parameter, const SliderEvent& event) {
@@ -136,7 +143,7 @@ void number_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   const float height = slider_height(frame), values = frame.ui.touch ? 44.0F : 38.0F;
   const float labels = column.labels;
   const Rect row{column.x, column.y, column.width, height};
-  const std::string reason = why_disabled(frame, parameter);
+  const std::string_view reason = why_disabled(frame, parameter);
   const bool enabled = reason.empty();
   const double value = number(frame, parameter);
   const SliderEvent event = slider(frame.ui, parameter.id, {row.x + labels, row.y, row.width - labels - values, height},
@@ -191,8 +198,7 @@ std::vector<float> thumbnail(std::string_view family) {
   return curve;
 }
 
-KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const Rect& button,
-                                const std::string& popup) {
+KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const Rect& button, const Words& popup) {
   Interface& ui = frame.ui;
   const bool curves = parameter.id == "blending.function";
   const float item = ui.touch ? 42.0F : 30.0F, edge = 6;
@@ -227,21 +233,20 @@ KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const 
     frame.state.thumbnails.clear();
     for (const scene::Choice& option : parameter.choices) frame.state.thumbnails.push_back(thumbnail(option.id));
   }
-  const std::string present = choice(frame, parameter);
+  const std::size_t present = chosen(frame, parameter);
   const bool scrolls = wanted > box.height;
   frame.output.takes_wheel = frame.output.takes_wheel || scrolls;
   const float items = box.width - 2 * edge - (scrolls ? ImGui::GetStyle().ScrollbarSize - 2 : 0);
   float y = box.y + edge - ImGui::GetScrollY();
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const scene::Choice& option = parameter.choices[i];
-    const std::string id = std::string(parameter.id) + ": " + option.id;
+    const WidgetName id(parameter.id, option.id);
     const std::span<const float> curve =
         curves ? std::span<const float>(frame.state.thumbnails[i]) : std::span<const float>();
-    if (scrolls && option.id == present && ImGui::IsWindowAppearing())
-      ImGui::SetScrollY(y - box.y - (box.height - item) / 2);
-    if (menu_item(ui, id, {box.x + edge, y, items, item}, option.label, option.id == present,
+    if (scrolls && i == present && ImGui::IsWindowAppearing()) ImGui::SetScrollY(y - box.y - (box.height - item) / 2);
+    if (menu_item(ui, id, {box.x + edge, y, items, item}, option.label, i == present,
                   scene::refused_choice(frame.input.document, parameter, option.id), curve)) {
-      if (option.id != present) set(frame, parameter, option.id);
+      if (i != present) set(frame, parameter, option.id);
       stays = false;
     }
     y += item;
@@ -257,14 +262,16 @@ KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const 
 }
 
 void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
-  const std::string present = choice(frame, parameter);
-  std::vector<Segment> segments;
+  const std::size_t present = chosen(frame, parameter);
+  std::array<Segment, most_segments> places;
+  std::span<Segment> segments;
   if (parameter.choices.size() <= most_segments) {
-    segments.reserve(parameter.choices.size());
-    for (const scene::Choice& option : parameter.choices)
-      segments.push_back(
-          {option.label, std::string(parameter.id) + ": " + option.id, option.id == present,
-           option.id == present ? std::string() : scene::refused_choice(frame.input.document, parameter, option.id)});
+    segments = std::span(places).first(parameter.choices.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const scene::Choice& option = parameter.choices[i];
+      segments[i] = {option.label, {parameter.id, option.id}, i == present};
+      if (!segments[i].chosen) segments[i].refusal = scene::refused_choice(frame.input.document, parameter, option.id);
+    }
   }
 
   const float height = row_height(frame), gap = frame.ui.touch ? 4 : 6;
@@ -284,10 +291,9 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   Rect rect{column.x + labels, column.y, column.width - labels, height};
   if (frame.ui.touch) rect = {rect.x, rect.y + 2, rect.width, rect.height - 4};
   if (as_list) {
-    const std::string popup = std::string(parameter.id) + " list";
-    std::string name = present;
-    for (const scene::Choice& option : parameter.choices)
-      if (option.id == present) name = option.label;
+    const Words popup = Words().add(parameter.id).add(" list");
+    const std::string_view name =
+        present < parameter.choices.size() ? std::string_view(parameter.choices[present].label) : std::string_view();
     if (combo_button(frame.ui, parameter.id, rect, name, ImGui::IsPopupOpen(popup.c_str())))
       ImGui::OpenPopup(popup.c_str());
     if (ImGui::IsPopupOpen(popup.c_str())) choice_list(frame, parameter, rect, popup);
@@ -307,7 +313,7 @@ void chip_rows(Frame& frame, Column& column, std::span<const Parameter* const> t
       column.y += height + line;
     }
     const Rect rect{x, column.y, width, height};
-    const std::string reason = why_disabled(frame, *toggle);
+    const std::string_view reason = why_disabled(frame, *toggle);
     const bool on = switched_on(frame, *toggle);
     if (chip(frame.ui, toggle->id, rect, toggle->label, on, reason.empty())) set(frame, *toggle, !on);
     hint_if_hovered(frame, rect, reason);
@@ -369,7 +375,7 @@ void parameter_rows(Frame& frame, Column& column, std::span<const Parameter* con
 }
 
 void first_part(Frame& frame, Column& column) {
-  std::vector<const Parameter*> rows;
+  Rows rows;
   for (const std::string_view id : first_rows) {
     const Parameter* parameter = scene::find_parameter(id);
     if (!parameter || !scene::applies(frame.input.document, *parameter)) continue;
@@ -380,7 +386,7 @@ void first_part(Frame& frame, Column& column) {
   }
   for (const Parameter& parameter : scene::parameters())
     if (is_own_measure(frame, parameter)) rows.push_back(&parameter);
-  parameter_rows(frame, column, rows);
+  parameter_rows(frame, column, {rows.begin(), rows.size()});
   column.y += 2;
   draw_rows(frame, column);
 }
@@ -393,7 +399,7 @@ KNOTWORK_LATER void other_parts(Frame& frame, Column& column) {
     return scene::applies(frame.input.document, parameter) && !listed(first_rows, parameter.id) &&
            !listed(beside_clock, parameter.id) && !is_own_measure(frame, parameter);
   };
-  std::vector<std::string_view> groups;
+  Few<std::string_view, 16> groups;
   for (const bool switches : {true, false})
     for (const Parameter& parameter : scene::parameters())
       if (other(parameter) && (parameter.kind == ParameterKind::toggle) == switches &&
@@ -401,7 +407,7 @@ KNOTWORK_LATER void other_parts(Frame& frame, Column& column) {
         groups.push_back(parameter.group);
 
   for (const std::string_view group : groups) {
-    std::vector<const Parameter*> toggles, rows;
+    Rows toggles, rows;
     for (const Parameter& parameter : scene::parameters())
       if (parameter.group == group && other(parameter))
         (parameter.kind == ParameterKind::toggle ? toggles : rows).push_back(&parameter);
@@ -410,8 +416,8 @@ KNOTWORK_LATER void other_parts(Frame& frame, Column& column) {
         toggles.size() + rows.size() > 1 && (!toggles.empty() || rows.front()->kind == ParameterKind::choice);
     column.y += group == groups.front() ? 0 : 8;
     if (headed) heading(frame, column, group);
-    if (!toggles.empty()) chip_rows(frame, column, toggles);
-    parameter_rows(frame, column, rows);
+    if (!toggles.empty()) chip_rows(frame, column, {toggles.begin(), toggles.size()});
+    parameter_rows(frame, column, {rows.begin(), rows.size()});
   }
 }
 
@@ -624,15 +630,10 @@ void readout(Frame& frame) {
   ImGui::End();
 }
 
-void notice(Frame& frame) {
-  PanelState& state = frame.state;
-  if (!frame.input.notice.empty()) state.last_notice = frame.input.notice;
-  const float share = smooth(eased(frame.ui, state.notice_share, frame.input.notice.empty() ? 0.0F : 1.0F, 0.15F));
-  if (share <= 0 || state.last_notice.empty()) return;
+KNOTWORK_LATER void draw_notice(Frame& frame, const std::string& words, float share) {
   const Theme& theme = frame.input.theme;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   sharpen(frame.ui, list);
-  const std::string& words = state.last_notice;
   // Beside the card where there is room: it is the card that a refusal is mostly about.
   const float free = frame.ui.touch ? frame.stage.width : card_frame(frame).x;
   const auto [wrap, extent] = balanced(frame.ui, Face::regular, words, std::min(360.0F, free - 72));
@@ -644,6 +645,14 @@ void notice(Frame& frame) {
   list.AddCircleFilled({box.x + 15, box.y + 10 + text_height / 2}, 3.5F,
                        colour(theme.dark ? Colour{0.70F, 0.26F, 0.12F} : Colour{0.94F, 0.53F, 0.37F}, share));
   paragraph(frame.ui, list, Face::regular, {box.x + 27, box.y + 10}, colour(theme.paper, share), words, wrap);
+}
+
+void notice(Frame& frame) {
+  PanelState& state = frame.state;
+  if (!frame.input.notice.empty()) state.last_notice = frame.input.notice;
+  const float share = smooth(eased(frame.ui, state.notice_share, frame.input.notice.empty() ? 0.0F : 1.0F, 0.15F));
+  if (share <= 0 || state.last_notice.empty()) return;
+  draw_notice(frame, state.last_notice, share);
 }
 
 }  // namespace

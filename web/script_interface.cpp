@@ -12,6 +12,7 @@
 #include "knotwork/scene/curve_edits.h"
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/later.h"
+#include "knotwork/scene/measures.h"
 #include "knotwork/scene/surface_builder.h"
 
 namespace knotwork::web {
@@ -158,7 +159,7 @@ std::string answer_parameters(const App& app) {
     }
     row["choices"] = std::move(choices);
     row["value"] = value_json(parameter.get(app.document()));
-    row["disabled"] = parameter.disabled ? parameter.disabled(app.document()) : std::string();
+    row["disabled"] = parameter.disabled ? parameter.disabled(app.document()) : std::string_view();
     rows.push_back(std::move(row));
   }
   return answer(std::move(rows));
@@ -270,6 +271,11 @@ std::string answer_chapters() {
 }
 
 std::string answer_open(App& app, std::string_view chapter) { return answer(app.open_chapter(chapter)); }
+
+std::string answer_measure(const App& app, std::string_view name) {
+  const std::optional<double> value = scene::measure(app.document(), name);
+  return answer(value ? Json(*value) : Json());
+}
 
 std::string answer_points(App& app, std::string_view text) { return answer(app.take_points(text)); }
 

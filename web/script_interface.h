@@ -29,6 +29,7 @@ std::string answer_stats(const App& app);
 std::string answer_chapters();
 std::string answer_open(App& app, std::string_view chapter);
 /// Points as text take the place of those of the figure on the stage.
+KNOTWORK_LATER std::string answer_measure(const App& app, std::string_view name);
 KNOTWORK_LATER std::string answer_points(App& app, std::string_view text);
 std::string answer_select(App& app, std::string_view handle);
 

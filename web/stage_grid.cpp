@@ -15,6 +15,7 @@ namespace {
 
 constexpr double most_stray = 0.5;     // CSS pixels
 constexpr double busy_pause_ms = 250;  // between two looks while something moves
+constexpr double nearly_all = 0.9;     // of the most vertices
 
 /// The sides of what the view sees: n . x + d >= 0 inside, n of unit length.
 std::array<glm::dvec4, 4> sides_of(const View& view) {
@@ -96,6 +97,11 @@ bool StageGrid::fit(const Look& look) {
   put_off_ = !must && look.busy && look.now - fitted_at_ < busy_pause_ms;
   if (put_off_) {
     if (look.changed) fitted_view_.reset();
+    return false;
+  }
+  // What is as fine as may be cannot be refined while something moves.
+  if (!must && look.busy && vertices(steps_) > nearly_all * most_vertices) {
+    fitted_view_.reset();
     return false;
   }
   fitted_view_ = look.view;

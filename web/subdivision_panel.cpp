@@ -64,7 +64,7 @@ std::string size_text(const Frame&, const scene::SubdivisionFigure& figure) {
   return std::to_string(figure.points.size()) + " points";
 }
 
-std::vector<Tool> tools_of(const Frame& frame, const scene::SubdivisionFigure& figure) {
+Tools tools_of(const Frame& frame, const scene::SubdivisionFigure& figure) {
   const bool point = point_selected(frame, figure);
   return {{"draw", Icon::pencil, true, walk_words::draw, std::nullopt, "d"},
           {"add", Icon::add, point, walk_words::add, std::nullopt, "Insert"},

@@ -8,7 +8,7 @@ namespace knotwork::web {
 
 std::string size_text(const Frame& frame, const scene::SubdivisionFigure& figure);
 /// Draw the polygon by hand; add and delete a point.
-std::vector<Tool> tools_of(const Frame& frame, const scene::SubdivisionFigure& figure);
+Tools tools_of(const Frame& frame, const scene::SubdivisionFigure& figure);
 inline void draw_rows(Frame&, Column&, const scene::SubdivisionFigure&) {}
 inline bool has_table(const scene::SubdivisionFigure&) { return false; }
 inline void draw_table(Frame&, Column&, const scene::SubdivisionFigure&) {}

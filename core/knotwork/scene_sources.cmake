@@ -17,6 +17,7 @@ set(KNOTWORK_SCENE_SOURCES
   knotwork/scene/knot_edits.cpp
   knotwork/scene/local_frame.cpp
   knotwork/scene/measure_parameters.cpp
+  knotwork/scene/measures.cpp
   knotwork/scene/messages.cpp
   knotwork/scene/model_curve_figure.cpp
   knotwork/scene/models.cpp
@@ -52,6 +53,7 @@ set(KNOTWORK_SCENE_HEADERS
   knotwork/scene/limits.h
   knotwork/scene/local_frame.h
   knotwork/scene/measure_parameters.h
+  knotwork/scene/measures.h
   knotwork/scene/model_curve_figure.h
   knotwork/scene/models.h
   knotwork/scene/model_figure.h

@@ -1,20 +1,36 @@
 import createMarkdown, { type MarkdownIt } from 'markdown-it';
+import { parseAction } from '../src/actions';
+import { parseGoal } from '../src/goals';
 import type { Mathematics } from './mathematics';
 
-/// A chapter file is Markdown with a head of `key: value` lines between two `---`, and with five additions:
+/// A chapter file is Markdown with a head of `key: value` lines between two `---`, and with these additions:
 ///
 ///     $tex$ and $$tex$$               mathematics; in a block, a line `%% narrow` starts the form for narrow columns
-///     [words](knotwork:set?id=value)  a phrase that acts (see src/actions.ts)
+///     [words](knotwork:set?id=value)  a phrase that acts (see src/actions.ts) on the figure before it
 ///     [words](hue:a)                  words in a local patch's hue, a to d
-///     ::: name arguments ... :::      a block: try, lead; controls id id ..., report, patches, settings
+///     [0.017](fact:name)              a number that a test computes anew (tests/unit/facts_test.cpp)
+///     ::: name arguments ... :::      a block: lead, try, note, sources; controls id id ..., report, patches, settings;
+///                                     figure id start [id=value&...], its text the caption; exercise id start
+///                                     [id=value&...], its last lines `goal:`, `hint:` and `done:`
 ///     ## Title                        a section; its id is made from the title
+///
+/// A figure's start is a start document of the core's table (core/knotwork/scene/chapters.cpp), then the parameters are
+/// set; or it is `file`, a whole document in shell/scenes/<id>.json.
 
 export interface Chapter {
   id: string;
   title: string;
   summary: string;
   sections: { id: string; title: string }[];
+  figures: FigureSource[];
   html: string;
+}
+
+/// What a figure or an exercise shows.
+export interface FigureSource {
+  id: string;
+  start: string;
+  values: string;
 }
 
 export function renderChapter(source: string, mathematics: Mathematics): Chapter {
@@ -32,8 +48,23 @@ export function renderChapter(source: string, mathematics: Mathematics): Chapter
     return value;
   };
   const sections: Chapter['sections'] = [];
-  const html = markdown(mathematics, sections).render(source.slice(head[0].length));
-  return { id: field('id'), title: field('title'), summary: field('summary'), sections, html };
+  const figures: FigureSource[] = [];
+  const html = markdown(mathematics, sections, figures).render(source.slice(head[0].length));
+  return { id: field('id'), title: field('title'), summary: field('summary'), sections, figures, html };
+}
+
+/// Chapters stand on one page: no two things in them may have one name.
+export function checkNames(chapters: readonly Chapter[]): void {
+  const names = new Set<string>();
+  const take = (name: string): void => {
+    if (names.has(name)) throw new Error(`two things on the page are called "${name}"`);
+    names.add(name);
+  };
+  for (const { id, sections, figures } of chapters) {
+    take(id);
+    sections.forEach((section) => take(section.id));
+    figures.forEach((figure) => take(`figure-${figure.id}`));
+  }
 }
 
 export function slug(title: string): string {
@@ -43,10 +74,11 @@ export function slug(title: string): string {
     .replace(/^-|-$/g, '');
 }
 
-function markdown(mathematics: Mathematics, sections: Chapter['sections']): MarkdownIt {
+function markdown(mathematics: Mathematics, sections: Chapter['sections'], figures: FigureSource[]): MarkdownIt {
   const md = createMarkdown({ typographer: false, html: false });
+  md.validateLink = (link) => !/^(javascript|vbscript|data|file):/i.test(link);
   addMathematics(md, mathematics);
-  addBlocks(md);
+  addBlocks(md, figures);
   addLinks(md);
   md.renderer.rules['heading_open'] = (tokens, index, options, _env, self) => {
     const token = tokens[index]!;
@@ -111,14 +143,65 @@ function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
   };
 }
 
+/// What is shown on the stage when the reader comes by, its picture where there is no stage, and its tools.
+function figure(words: string[], figures: FigureSource[]): FigureSource {
+  const [id = '', start = '', values = ''] = words;
+  if (!id || !start) throw new Error('a figure has a name and a start document');
+  const source = { id, start, values };
+  figures.push(source);
+  return source;
+}
+
+const escaped = (text: string): string =>
+  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+
+const figureData = ({ id, start, values }: FigureSource): string =>
+  `id="figure-${id}" data-figure="${id}" data-start="${escaped(start)}" data-values="${escaped(values)}"`;
+
+const tool = (name: string, words: string): string =>
+  `<button type="button" class="tool-word" data-${name} disabled>${words}</button>`;
+
 /// Control rows are written empty into the page at their final height, so that nothing moves when they are filled.
-function block(name: string, words: string[]): [open: string, close: string] {
+function block(
+  name: string,
+  words: string[],
+  figures: FigureSource[],
+  keyed: ReadonlyMap<string, string>,
+): [open: string, close: string] {
   const row = (id: string): string => `<div class="control" data-parameter="${id}"></div>`;
   switch (name) {
     case 'lead':
       return ['<div class="lead">', '</div>'];
     case 'try':
       return ['<aside class="try" aria-label="Try it"><p class="try-title">Try it</p>', '</aside>'];
+    case 'note':
+      return ['<aside class="note" aria-label="About the report">', '</aside>'];
+    case 'sources':
+      return ['<aside class="sources" aria-label="Sources"><p class="sources-title">Sources</p>', '</aside>'];
+    case 'figure': {
+      const source = figure(words, figures);
+      return [
+        `<figure class="figure" ${figureData(source)}><figcaption>`,
+        `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}</p></figcaption></figure>`,
+      ];
+    }
+    case 'exercise': {
+      const source = figure(words, figures);
+      const part = (key: string): string => {
+        const text = keyed.get(key);
+        if (!text) throw new Error(`the exercise "${source.id}" needs a line "${key}:"`);
+        return text;
+      };
+      parseGoal(keyed.get('goal text') ?? '');
+      return [
+        `<section class="exercise" ${figureData(source)} data-goal="${escaped(keyed.get('goal text') ?? '')}"` +
+          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise</h3>`,
+        `<details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
+          `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}` +
+          `<span class="exercise-state" role="status"></span></p>` +
+          `<p class="exercise-done" hidden>${part('done')}</p></section>`,
+      ];
+    }
     case 'controls':
       return [`<div class="controls">${words.map(row).join('')}`, '</div>'];
     case 'report':
@@ -132,7 +215,10 @@ function block(name: string, words: string[]): [open: string, close: string] {
   }
 }
 
-function addBlocks(md: MarkdownIt): void {
+/// The lines `key: text` at the end of an exercise.
+const keyedLine = /^(goal|hint|done):\s+(.+)$/;
+
+function addBlocks(md: MarkdownIt, figures: FigureSource[]): void {
   md.block.ruler.before(
     'fence',
     'blocks',
@@ -145,11 +231,23 @@ function addBlocks(md: MarkdownIt): void {
       while (end < last && line(end) !== ':::') ++end;
       if (end >= last) throw new Error(`a block without an end: ${line(start)}`);
       const [name = '', ...words] = opening[1]!.split(/\s+/);
-      const [open, close] = block(name, words);
+      const keyed = new Map<string, string>();
+      let bodyEnd = end;
+      for (let n = start + 1; name === 'exercise' && n < end; ++n) {
+        const [, key, text] = keyedLine.exec(line(n)) ?? [];
+        if (!key || !text) {
+          if (bodyEnd < end) throw new Error(`an exercise ends with its lines goal, hint and done, not: ${line(n)}`);
+          continue;
+        }
+        bodyEnd = Math.min(bodyEnd, n);
+        keyed.set(key, md.renderInline(text));
+        keyed.set(`${key} text`, text);
+      }
+      const [open, close] = block(name, words, figures, keyed);
       state.push('html_block', '', 0).content = `${open}\n`;
       const lineMax = state.lineMax;
-      state.lineMax = end;
-      state.md.block.tokenize(state, start + 1, end);
+      state.lineMax = bodyEnd;
+      state.md.block.tokenize(state, start + 1, bodyEnd);
       state.lineMax = lineMax;
       state.push('html_block', '', 0).content = `${close}\n`;
       state.line = end + 1;
@@ -165,9 +263,14 @@ function addLinks(md: MarkdownIt): void {
     const token = tokens[index]!;
     const href = String(token.attrGet('href') ?? '');
     if (href.startsWith('knotwork:')) {
+      parseAction(href.slice(9));
       const together = Boolean(token.meta?.together);
       closing.push(together ? '</span>' : '', '</button>');
       return `${together ? '<span class="together">' : ''}<button type="button" class="act" data-run="${md.utils.escapeHtml(href.slice(9))}" disabled>`;
+    }
+    if (href.startsWith('fact:')) {
+      closing.push('');
+      return '';
     }
     if (href.startsWith('hue:')) {
       closing.push('</span>');

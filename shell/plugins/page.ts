@@ -1,7 +1,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
-import { renderChapter, type Chapter } from './chapter';
+import { checkNames, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
 import { Mathematics } from './mathematics';
 
@@ -31,6 +31,7 @@ export function page(options: PageOptions): Plugin {
           throw new Error(`chapters/${name}: ${error instanceof Error ? error.message : String(error)}`);
         }
       });
+    checkNames(chapters);
     mkdirSync(generated, { recursive: true });
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet());
     const text = chapters.map((chapter) => chapter.html.replace(/<math[\s\S]*?<\/math>|<[^>]*>/g, '')).join('');
@@ -68,7 +69,8 @@ export function page(options: PageOptions): Plugin {
       handler: (html) =>
         html
           .replace('<!--sections-->', () => sectionMarks(chapters))
-          .replace('<!--chapters-->', () => chapters.map(article).join('\n'))
+          .replace('<!--contents-->', () => contents(chapters))
+          .replace('<!--chapters-->', () => chapters.map((_, index) => article(chapters, index)).join('\n'))
           .replace('<!--source-->', () => sourceLink(options.sourceUrl))
           .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? ''),
     },
@@ -109,18 +111,43 @@ function sizeOf(path: string): number {
   return existsSync(path) ? statSync(path).size : 0;
 }
 
-function article(chapter: Chapter): string {
+function article(chapters: readonly Chapter[], index: number): string {
+  const chapter = chapters[index]!;
+  const neighbour = (other: Chapter | undefined, relation: 'prev' | 'next', word: string): string =>
+    other ? `<a rel="${relation}" href="#${other.id}"><span>${word}</span> ${other.title}</a>` : '';
+  const turn =
+    chapters.length > 1
+      ? `<nav class="turn" aria-label="Before and after: ${chapter.title}">` +
+        `${neighbour(chapters[index - 1], 'prev', 'Before')}${neighbour(chapters[index + 1], 'next', 'Next')}</nav>\n`
+      : '';
   return (
     `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}">\n` +
-    `<h1>${chapter.title}</h1>\n${chapter.html}</article>`
+    `<h1>${chapter.title}</h1>\n${chapter.html}${turn}</article>`
   );
 }
 
-function sectionMarks(chapters: Chapter[]): string {
-  const marks = chapters
-    .flatMap((chapter) => chapter.sections)
-    .map(({ id, title }) => `<li><a href="#${id}" title="${title}"><span class="hidden">${title}</span></a></li>`);
-  return `<ol class="marks">${marks.join('')}</ol>`;
+/// The chapters, with the progress of their exercises, which a script fills in.
+function contents(chapters: readonly Chapter[]): string {
+  const rows = chapters.map(
+    ({ id, title }) => `<li><a href="#${id}">${title}</a><span class="progress-of" data-progress="${id}"></span></li>`,
+  );
+  return (
+    `<details class="contents" id="contents"><summary>Chapters</summary><div><ol>${rows.join('')}</ol>` +
+    '<button type="button" class="tool-word" id="forget" hidden>Forget my progress</button></div></details>'
+  );
+}
+
+/// One mark for each section; those of the chapter being read are shown.
+function sectionMarks(chapters: readonly Chapter[]): string {
+  return chapters
+    .map(({ id, title, sections }) => {
+      const marks = sections.map(
+        (section) =>
+          `<li><a href="#${section.id}" title="${section.title}"><span class="hidden">${section.title}</span></a></li>`,
+      );
+      return `<ol class="marks" aria-label="Sections: ${title}" data-marks="${id}">${marks.join('')}</ol>`;
+    })
+    .join('');
 }
 
 function sourceLink(url: string): string {

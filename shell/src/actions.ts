@@ -1,9 +1,10 @@
 import type { Bridge } from './bridge';
+import { parseValue, type Value } from './goals';
 import type { Parameter } from './knotwork';
 
 /// What a phrase of the prose does: `set?id=value&id=value`, `play`, `pause`, `open?id=chapter`.
 export type Action =
-  | { kind: 'set'; values: [id: string, value: number | string | boolean][] }
+  | { kind: 'set'; values: [id: string, value: Value][] }
   | { kind: 'play' | 'pause' }
   | { kind: 'open'; chapter: string };
 
@@ -12,7 +13,7 @@ export function parseAction(text: string): Action {
   const pairs = [...new URLSearchParams(query)];
   if (name === 'play' || name === 'pause') return { kind: name };
   if (name === 'open' && pairs[0]?.[0] === 'id') return { kind: 'open', chapter: pairs[0][1] };
-  if (name === 'set' && pairs.length > 0) return { kind: 'set', values: pairs.map(([id, value]) => [id, parse(value)]) };
+  if (name === 'set' && pairs.length > 0) return { kind: 'set', values: pairs.map(([id, value]) => [id, parseValue(value)]) };
   throw new Error(`a phrase cannot do "${text}"`);
 }
 
@@ -42,9 +43,4 @@ export function fulfilled(action: Action, parameters: ReadonlyMap<string, Parame
   if (action.kind === 'set') return action.values.every(([id, value]) => parameters.get(id)?.value === value);
   if (action.kind === 'open') return false;
   return parameters.get('animation.playing')?.value === (action.kind === 'play');
-}
-
-function parse(value: string): number | string | boolean {
-  if (value === 'true' || value === 'false') return value === 'true';
-  return value !== '' && Number.isFinite(Number(value)) ? Number(value) : value;
 }

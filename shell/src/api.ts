@@ -6,12 +6,15 @@ export class ScriptInterface {
   private bridge: Bridge | null = null;
   private readonly canvas: HTMLCanvasElement;
   private readonly changed: () => void;
+  private readonly pin: () => void;
   private resolve!: () => void;
   private reject!: (reason: Error) => void;
 
-  constructor(canvas: HTMLCanvasElement, changed: () => void) {
+  /// `pin`: a script has put something of its own on the stage.
+  constructor(canvas: HTMLCanvasElement, changed: () => void, pin: () => void) {
     this.canvas = canvas;
     this.changed = changed;
+    this.pin = pin;
     const ready = new Promise<void>((resolve, reject) => {
       this.resolve = resolve;
       this.reject = reject;
@@ -37,6 +40,11 @@ export class ScriptInterface {
       command(module());
       this.changed();
     };
+    const put = (command: (bridge: Bridge) => void): void =>
+      change((bridge) => {
+        command(bridge);
+        this.pin();
+      });
     const corner = (): DOMRect => this.canvas.getBoundingClientRect();
     return {
       ready,
@@ -44,7 +52,7 @@ export class ScriptInterface {
         return module().version();
       },
       document: () => module().document(),
-      load: (document) => change((bridge) => bridge.load(jsonOf(document))),
+      load: (document) => put((bridge) => bridge.load(jsonOf(document))),
       parameters: () => module().parameters(),
       set: (id, value) => change((bridge) => bridge.set(String(id), value)),
       handles: () => {
@@ -74,7 +82,7 @@ export class ScriptInterface {
       },
       stats: () => module().stats(),
       chapters: () => module().chapters(),
-      open: (id) => change((bridge) => bridge.open(String(id))),
+      open: (id) => put((bridge) => bridge.open(String(id))),
     };
   }
 }

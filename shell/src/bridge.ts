@@ -207,6 +207,18 @@ export class Bridge {
   points(text: string): void {
     this.json('knotwork_points', text);
   }
+  /// Each figure has a document and a history of its own. True: this one is on the stage as it was left. False: it is
+  /// new, and shows what has been there.
+  enter(scene: string): boolean {
+    return this.number('knotwork_enter_scene', scene) !== 0;
+  }
+  /// What exercises ask of the figure on the stage (core/knotwork/scene/measures.h); null where it has no such measure.
+  measure(name: string): number | null {
+    return this.json('knotwork_measure', name) as number | null;
+  }
+  forgetHistory(): void {
+    this.number('knotwork_forget_history');
+  }
   select(handle: string): void {
     this.json('knotwork_select', handle);
   }

@@ -12,15 +12,21 @@ import { loadModule, loadStageFonts, LoadError } from './loading';
 import { Page } from './page';
 import { listenToPaste } from './points';
 import type { SecondPart } from './second_part';
-import { followSections } from './sections';
+import { followSections, makeContents } from './sections';
 import { Stage } from './stage';
 
 const canvas = document.getElementById('canvas') as HTMLCanvasElement;
 let stage: Stage | null = null;
 let page: Page | null = null;
 
-const api = new ScriptInterface(canvas, () => page?.update());
-followSections([...document.querySelectorAll<HTMLAnchorElement>('.marks a')]);
+const api = new ScriptInterface(
+  canvas,
+  () => page?.update(),
+  () => page?.scenes.pin(),
+);
+const contents = document.getElementById('contents') as HTMLDetailsElement;
+followSections([...document.querySelectorAll<HTMLElement>('.marks')], contents);
+makeContents(contents);
 void begin();
 
 async function begin(): Promise<void> {
@@ -61,7 +67,10 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
       // Who waits for the page to be ready may ask for anything; the figure is alive before.
       void second
         .fetch()
-        .then(() => bridge.complete(), console.warn)
+        .then(() => {
+          bridge.complete();
+          page?.scenes.follow();
+        }, console.warn)
         .finally(() => api.settle());
     }),
   );

@@ -1,19 +1,26 @@
 import { applies, fulfilled, parseAction, run, type Action } from './actions';
 import type { Bridge } from './bridge';
 import { element, makeControl, type Control, type Setter } from './controls';
+import { Exercises } from './exercises';
+import { FigureTools } from './figures';
 import { HistoryControls } from './history';
 import type { Parameter } from './knotwork';
 import { PatchList } from './patches';
 import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
+import { readFigures, Scenes, type Figure } from './scenes';
 
 /// Everything beside the stage that shows the module's state or changes it.
 export class Page {
   private readonly setter: Setter;
+  readonly scenes: Scenes;
   private readonly controls: Control[] = [];
+  private waiting: HTMLElement[];
   private settings: Control[] = [];
   private settingsFor = '';
-  private readonly phrases: [HTMLButtonElement, Action][] = [];
+  private readonly phrases: { button: HTMLButtonElement; action: Action; figure: Figure | null }[] = [];
+  private readonly figureTools: FigureTools;
+  private readonly exercises: Exercises;
   private readonly tables: ReportTable[] = [];
   private readonly patchLists: PatchList[] = [];
   private readonly points: PointsField;
@@ -32,24 +39,16 @@ export class Page {
       gesture: (open) => this.attempt(() => bridge.gesture(open)),
     };
 
-    const rows = this.rows();
-    for (const place of document.querySelectorAll<HTMLElement>('[data-parameter]')) {
-      const row = rows.get(place.dataset['parameter']!);
-      if (row) this.controls.push(makeControl(place, row, this.setter));
-      else place.remove();
-    }
-    for (const phrase of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
-      const action = parseAction(phrase.dataset['run']!);
-      const chapter = phrase.closest('article')?.id;
-      phrase.addEventListener('click', () =>
-        this.attemptAsOne(() => {
-          // What the chapter is about may have made room for another figure.
-          if (chapter && !applies(action, this.rows())) bridge.open(chapter);
-          run(action, bridge);
-        }),
-      );
-      phrase.disabled = false;
-      this.phrases.push([phrase, action]);
+    const figures = readFigures(document);
+    this.scenes = new Scenes(bridge, figures, () => this.update());
+    this.figureTools = new FigureTools(figures, this.scenes, (failed) => this.refuse(failed));
+    this.exercises = new Exercises(figures, this.scenes, bridge, (words) => this.announce(words));
+    this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
+    for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
+      const phrase = { button, action: parseAction(button.dataset['run']!), figure: this.scenes.about(button) };
+      button.addEventListener('click', () => void this.act(phrase.action, phrase.figure));
+      button.disabled = false;
+      this.phrases.push(phrase);
     }
     for (const place of document.querySelectorAll<HTMLElement>('[data-report]')) {
       const setBoth = (u: string, v: string): void =>
@@ -97,6 +96,7 @@ export class Page {
     this.revision = this.bridge.revision();
     const state = this.bridge.state();
     const rows = this.rows();
+    this.makeControls(rows);
     this.makeSettings(rows);
     this.points.element.hidden = state.points === null;
     for (const control of [...this.controls, ...this.settings]) {
@@ -104,7 +104,11 @@ export class Page {
       if (row) control.update(row);
       else control.rest();
     }
-    for (const [phrase, action] of this.phrases) phrase.classList.toggle('done', fulfilled(action, rows));
+    const { shown } = this.scenes;
+    for (const { button, action, figure } of this.phrases)
+      button.classList.toggle('done', (!shown || shown === figure) && fulfilled(action, rows));
+    this.figureTools.update(state.canUndo);
+    this.exercises.update(rows);
     if (state.surface) for (const table of this.tables) table.update(state.surface, rows);
     for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
@@ -116,6 +120,33 @@ export class Page {
     return new Map(this.bridge.parameters().map((row) => [row.id, row]));
   }
 
+  /// Does what a phrase says to the figure that it is about, which may have made room for another one.
+  private async act(action: Action, figure: Figure | null): Promise<void> {
+    const { shown } = this.scenes;
+    const other = shown ? shown !== figure : !applies(action, this.rows());
+    try {
+      if (figure && other && action.kind !== 'open') await this.scenes.show(figure);
+      if (action.kind === 'open') this.scenes.pin();
+    } catch (error) {
+      this.refuse(error);
+      return;
+    }
+    this.attemptAsOne(() => run(action, this.bridge));
+  }
+
+  private refuse(error: unknown): void {
+    this.announce(error instanceof Error ? error.message : String(error));
+  }
+
+  /// Rows beside the prose are made when the figure that has them first comes to the stage.
+  private makeControls(rows: ReadonlyMap<string, Parameter>): void {
+    this.waiting = this.waiting.filter((place) => {
+      const row = rows.get(place.dataset['parameter']!);
+      if (row) this.controls.push(makeControl(place, row, this.setter));
+      return !row;
+    });
+  }
+
   private announce(text: string): void {
     this.notice.textContent = text;
   }
@@ -125,7 +156,7 @@ export class Page {
     try {
       command();
     } catch (error) {
-      this.announce(error instanceof Error ? error.message : String(error));
+      this.refuse(error);
     }
     this.update();
   }

@@ -2,9 +2,8 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { renderChapter, slug } from '../plugins/chapter';
+import { checkNames, renderChapter, slug, type Chapter } from '../plugins/chapter';
 import { Mathematics } from '../plugins/mathematics';
-import { parseAction } from '../src/actions';
 
 const head = '---\nid: a-chapter\ntitle: A chapter\nsummary: About it.\n---\n';
 const render = (text: string): string => renderChapter(head + text, new Mathematics()).html;
@@ -76,13 +75,55 @@ test('a slug is made of small letters, digits and hyphens', () => {
   assert.equal(slug('Open and closed: again!'), 'open-and-closed-again');
 });
 
-test('every chapter of the page renders, and every phrase in it can be carried out', () => {
+test('a figure has its caption, its start and its tools; a number that is checked is plain text', () => {
+  const chapter = renderChapter(
+    `${head}::: figure knots bspline-curve curve.parameter=0.4&display.polygon=false\nSeven *points*, [0.017](fact:x).\n:::\n`,
+    new Mathematics(),
+  );
+  assert.deepEqual(chapter.figures, [
+    { id: 'knots', start: 'bspline-curve', values: 'curve.parameter=0.4&display.polygon=false' },
+  ]);
+  assert.match(chapter.html, /<figure [^>]*data-figure="knots" data-start="bspline-curve"/);
+  assert.match(chapter.html, /data-values="curve\.parameter=0\.4&amp;display\.polygon=false"/);
+  assert.match(chapter.html, /<em>points<\/em>, 0\.017\.<\/p>/);
+  assert.match(chapter.html, /data-show disabled/);
+  assert.throws(() => render('::: figure knots\n:::'), /a name and a start/);
+});
+
+test('an exercise has a goal that can be checked, a hint and a last word', () => {
+  const lines = ['::: exercise near least-squares fitted.count=4', 'Come *near*.', 'goal: fit.rms < 0.02'];
+  const end = ['hint: More $n$.', 'done: It falls.', ':::'];
+  const html = render([...lines, ...end].join('\n'));
+  assert.match(html, /data-goal="fit\.rms &lt; 0\.02"|data-goal="fit\.rms < 0\.02"/);
+  assert.match(html, /<p>Come <em>near<\/em>\.<\/p>/);
+  assert.match(html, /<summary>Hint<\/summary><p>More <span class="math">/);
+  assert.match(html, /class="exercise-done" hidden>It falls\./);
+  assert.throws(() => render([...lines, ':::'].join('\n')), /needs a line "hint:"/);
+  assert.throws(() => render(['::: exercise x y', 'goal: much', ...end].join('\n')), /list of comparisons/);
+  assert.throws(() => render([...lines, 'And on.', ...end].join('\n')), /ends with its lines/);
+});
+
+test('a phrase that nothing can do, and two things of one name, stop the build', () => {
+  assert.throws(() => render('[go](knotwork:dance)'), /cannot do "dance"/);
+  const chapter = (id: string, section: string): Chapter => ({
+    id, title: id, summary: id, html: '', sections: [{ id: section, title: section }], figures: [],
+  });
+  assert.doesNotThrow(() => checkNames([chapter('a', 'b'), chapter('c', 'd')]));
+  assert.throws(() => checkNames([chapter('a', 'b'), chapter('c', 'b')]), /called "b"/);
+});
+
+test('every chapter of the page renders, and each of its figures starts from something', () => {
   const names = readdirSync('chapters').filter((name) => name.endsWith('.md'));
   assert.ok(names.length > 0);
-  for (const name of names) {
-    const { html } = renderChapter(readFileSync(join('chapters', name), 'utf8'), new Mathematics());
-    for (const [, run] of html.matchAll(/data-run="([^"]*)"/g)) {
-      assert.doesNotThrow(() => parseAction(run!.replaceAll('&amp;', '&')), `${name}: ${run}`);
-    }
+  const scenes = readdirSync('scenes').map((name) => name.replace(/\.json$/, ''));
+  const table = readFileSync('../core/knotwork/scene/chapters.cpp', 'utf8');
+  const chapters = names.map((name) => renderChapter(readFileSync(join('chapters', name), 'utf8'), new Mathematics()));
+  checkNames(chapters);
+  const figures = chapters.flatMap((chapter) => chapter.figures);
+  for (const { id, start } of figures) {
+    if (start === 'file') assert.ok(scenes.includes(id), `there is no shell/scenes/${id}.json`);
+    else assert.ok(table.includes(`{"${start}",`), `"${start}" of figure "${id}" is no start document`);
   }
+  const files = figures.filter(({ start }) => start === 'file').map(({ id }) => id);
+  assert.deepEqual(scenes.filter((scene) => !files.includes(scene)), [], 'scenes that no figure shows');
 });

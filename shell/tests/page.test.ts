@@ -5,6 +5,7 @@ import { applies, fulfilled, parseAction, run } from '../src/actions';
 import { exportMessage } from '../src/api';
 import { Bridge, RefusedError, unwrap, type EmscriptenModule } from '../src/bridge';
 import { decimalsOf, format } from '../src/controls';
+import { parseGoal, reached } from '../src/goals';
 import { historyKey } from '../src/history';
 import { modifiersOf, wheelUnit } from '../src/input';
 import type { Parameter } from '../src/knotwork';
@@ -30,6 +31,20 @@ function recorder(answer: string | number = '{"value":null}'): [Bridge, unknown[
   };
   return [new Bridge(module), calls];
 }
+
+test('a goal is reached when all its comparisons hold, and what has no value holds in none', () => {
+  const goal = parseGoal('fit.rms < 0.02 and fitted.count <= 7 and curve.topology = closed');
+  const look = (values: Record<string, number | string>) => (name: string) => values[name];
+  const reachedBy = { 'fit.rms': 0.01, 'fitted.count': 7, 'curve.topology': 'closed' };
+  assert.ok(reached(goal, look(reachedBy)));
+  assert.ok(!reached(goal, look({ ...reachedBy, 'fit.rms': 0.02 })));
+  assert.ok(!reached(goal, look({ ...reachedBy, 'fitted.count': 8 })));
+  assert.ok(!reached(goal, look({ ...reachedBy, 'curve.topology': 'open' })));
+  assert.ok(!reached(goal, look({ 'fit.rms': 0.01 })));
+  assert.ok(reached(parseGoal('a != b and c >= 2 and d > -1'), look({ a: 'c', c: 2, d: 0 })));
+  assert.throws(() => parseGoal('a < b'), /no number/);
+  assert.throws(() => parseGoal(''), /comparisons/);
+});
 
 test('an answer is unwrapped, an error is thrown with its path', () => {
   assert.deepEqual(unwrap('{"value":[1,2]}'), [1, 2]);

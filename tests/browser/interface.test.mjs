@@ -388,8 +388,8 @@ pageTest(costs, {}, async (page) => {
           const look = () => {
             const now = knotwork.stats();
             if (now.frames > seen.at(-1).frames) seen.push(now);
-            if (seen.length > 5) {
-              resolve({ bytes: seen[4].uploadBytes - seen[3].uploadBytes, allocations: seen[4].allocations });
+            if (seen.length > 9) {
+              resolve({ bytes: seen[8].uploadBytes - seen[7].uploadBytes, allocations: seen[8].allocations });
             } else {
               requestAnimationFrame(look);
             }
@@ -404,7 +404,7 @@ pageTest(costs, {}, async (page) => {
     const many = await frameCost({ samples: { u: 400, v: 400 }, locals: { ...locals, kind } });
     assert.deepEqual(many, few, kind);
     assert.ok(few.bytes > 0 && few.bytes < 20000, `${few.bytes} bytes a frame`);
-    assert.ok(few.allocations <= 40, `${few.allocations} allocations a frame`);
+    assert.equal(few.allocations, 0, 'a steady frame asks for memory');
   }
   await call(page, 'pause');
 

@@ -48,6 +48,11 @@ class SchemaComparison {
     later_.insert(std::string(name));
   }
 
+  void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
+    points(name, list, count);
+    later_.insert(std::string(name));
+  }
+
   void text(std::string_view name, const std::string&, const Limits& length, bool slug) {
     const Json& schema = member(name);
     equal(schema, "type", "string");

@@ -32,7 +32,7 @@ struct Drawer {
   void draw() {
     view = make_view(document.camera, viewport);
     figure = make_figure(scene::stage_shape(document), document.animation);
-    handles = handles_of(figure, scene::stage_shape(document));
+    take_handles(figure, scene::stage_shape(document), handles);
     for (Handle& handle : handles) handle.screen = view.project(handle.position);
   }
 

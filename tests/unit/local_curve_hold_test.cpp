@@ -21,7 +21,7 @@ struct Scene {
   void draw() {
     update_figure(figure, scene::stage_shape(document), document.animation);
     view = make_view(document.camera, {1000, 800});
-    handles = handles_of(*figure, scene::stage_shape(document));
+    take_handles(*figure, scene::stage_shape(document), handles);
     for (Handle& handle : handles) handle.screen = view.project(handle.position);
   }
   Stage stage() { return {document, *figure, scene::stage_shape(document), view, handles}; }

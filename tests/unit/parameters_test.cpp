@@ -130,6 +130,8 @@ TEST_CASE("parameters: the table has exactly the promised rows, each complete") 
     REQUIRE(static_cast<bool>(row.disabled));
     const bool numeric = row.kind == ParameterKind::number || row.kind == ParameterKind::integer;
     CHECK((row.kind == ParameterKind::choice) == (row.choices.size() >= 2));
+    if (row.chosen)
+      CHECK(row.get(document) == ParameterValue(row.choices[static_cast<std::size_t>(row.chosen(document))].id));
     CHECK(numeric == (row.max > row.min));
     if (numeric) {
       CHECK(row.step > 0);

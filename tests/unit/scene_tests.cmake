@@ -18,6 +18,7 @@ set(KNOTWORK_SCENE_TESTS
   unit/fit_figure_test.cpp
   unit/fitted_grid_test.cpp
   unit/history_test.cpp
+  unit/measures_test.cpp
   unit/model_curve_figure_test.cpp
   unit/model_figure_test.cpp
   unit/motion_test.cpp

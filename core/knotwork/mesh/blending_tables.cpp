@@ -111,8 +111,14 @@ MapCounts map_counts(const BlendingSurface& surface) {
 }
 
 std::vector<float> map_table(const BlendingSurface& surface) {
-  const MapCounts counts = map_counts(surface);
   std::vector<float> table;
+  map_table(surface, table);
+  return table;
+}
+
+void map_table(const BlendingSurface& surface, std::vector<float>& table) {
+  const MapCounts counts = map_counts(surface);
+  table.clear();
   table.reserve(12 * static_cast<std::size_t>(counts.u) * static_cast<std::size_t>(counts.v));
   for (int i = 0; i < counts.u; ++i) {
     for (int j = 0; j < counts.v; ++j) {
@@ -123,7 +129,6 @@ std::vector<float> map_table(const BlendingSurface& surface) {
       for (int row = 0; row < 3; ++row) append_four(table, {map(row, 0), map(row, 1), map(row, 2), map(row, 3)});
     }
   }
-  return table;
 }
 
 }  // namespace knotwork

@@ -40,5 +40,7 @@ BlendingTables blending_tables(const BlendingSurface& surface, SampleGrid grid);
 /// The dynamic part: 12 floats a local (i,j) at index i * counts.v + j, the rows of the 3x4 map M^_ij of a sub-surface
 /// or M_ij of a Bezier-Hermite local.
 std::vector<float> map_table(const BlendingSurface& surface);
+/// The same into memory that is there already, which grows only with the number of locals.
+void map_table(const BlendingSurface& surface, std::vector<float>& table);
 
 }  // namespace knotwork

@@ -15,7 +15,7 @@ namespace {
 /// The error of an edit as a parameter's: apply() says which.
 Status pathless(const Status& status) { return status ? success() : Status(Error{"", status.error().message}); }
 
-std::string not_disabled(const Document&) { return {}; }
+std::string_view not_disabled(const Document&) { return {}; }
 bool has_model_curve(const Document& document) { return stage_model_curve(document) != nullptr; }
 
 BlendingCurveObject& blending_curve(Document& document) {
@@ -86,7 +86,7 @@ KNOTWORK_LATER_ROW Parameter degree_row() {
   row.get = [](const Document& document) -> ParameterValue {
     return static_cast<double>(blending_curve(document).local_degree);
   };
-  row.disabled = [](const Document& document) -> std::string {
+  row.disabled = [](const Document& document) -> std::string_view {
     const bool used = blending_curve(document).local_kind == LocalCurveKind::bezier_hermite;
     return used ? "" : "Only Bézier curves have a degree to choose.";
   };

@@ -46,7 +46,16 @@ bool PatchEdit::operator==(const PatchEdit& other) const {
   return translation == other.translation && rotation.coeffs() == other.rotation.coeffs() && scale == other.scale;
 }
 
+bool twists(const ModelSurface& model) {
+  const SurfaceDomain where = domain(model);
+  return where.closure_u == Closure::twisted || where.closure_v == Closure::twisted;
+}
+
 SeamProblem seam_problem(const BlendingSurfaceObject& object) {
+  return twists(object.model) ? twisted_seam_problem(object) : SeamProblem();
+}
+
+SeamProblem twisted_seam_problem(const BlendingSurfaceObject& object) {
   const SurfaceDomain where = domain(object.model);
   // Whether evenly spaced patches fall onto each other when the direction is reflected.
   const auto falls_onto_itself = [](const Interval& range, Closure closure, double reflection, Topology topology,

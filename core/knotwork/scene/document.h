@@ -27,6 +27,7 @@ struct Display {
   bool local_patches = false, frames = false, normals = false, handles = true;
   bool polygon = true, construction = true;  ///< of a curve: its control polygon, its construction at the parameter
   bool adaptive = true;                      ///< a surface's grid is fitted to the screen, else it has its own samples
+  std::vector<Eigen::Vector3d> rings;        ///< places marked by a ring, for exercises; model units
 
   bool operator==(const Display&) const = default;
 };

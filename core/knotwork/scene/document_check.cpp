@@ -26,6 +26,9 @@ class Checker {
   void constant(std::string_view, int) {}
   void toggle(std::string_view, bool) {}
   void later_toggle(std::string_view, bool) {}
+  void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
+    points(name, list, count);
+  }
 
   void text(std::string_view name, const std::string& value, const Limits& length, bool slug) {
     std::size_t characters = 0;

@@ -184,6 +184,9 @@ class Reader {
   void later_toggle(std::string_view name, bool& value) {
     if (ok() && node_->contains(name)) toggle(name, value);
   }
+  void later_points(std::string_view name, std::vector<Eigen::Vector3d>& points, const Limits& count) {
+    if (ok() && node_->contains(name)) this->points(name, points, count);
+  }
   void toggle(std::string_view name, bool& value) {
     const Json* node = member(name);
     if (node == nullptr) return;
@@ -371,6 +374,9 @@ class Writer {
   void integer(std::string_view name, int value, const Limits&) { leaf(name, Json(value)); }
   void toggle(std::string_view name, bool value) { leaf(name, Json(value)); }
   void later_toggle(std::string_view name, bool value) { toggle(name, value); }
+  void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
+    if (!list.empty()) points(name, list, count);
+  }
 
   template <class E>
   void choice(std::string_view name, E value) {

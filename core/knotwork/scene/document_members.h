@@ -20,6 +20,7 @@
 ///   group(name, f)                    an object whose members f visits
 ///   list(name, vector, limits)        limits of the count
 ///   patches(name, map, limits)
+///   later_toggle, later_points        of a member that older documents do not have
 ///   points(name, vector of Vector3d, limits of the count)   numbers(name, vector of double, limits of the count)
 ///   net(name, Net, limits of the count of rows and of the points in each)
 namespace knotwork::scene {
@@ -256,6 +257,7 @@ void members(Io& io, Is<Display> auto& display) {
   io.toggle("polygon", display.polygon);
   io.toggle("construction", display.construction);
   io.later_toggle("adaptive", display.adaptive);
+  io.later_points("rings", display.rings, limits::rings);
 }
 
 template <class Io>

@@ -53,6 +53,7 @@ inline constexpr Limits local_degree{1, 3};  ///< of Bezier-Hermite locals: the 
 inline constexpr Limits inner_knots{0, max_curve_locals - 1};
 inline constexpr Limits net{2, max_net};  ///< rows, and points in a row
 inline constexpr Limits net_knots{4, max_net + 2 * max_degree + 1};
+inline constexpr Limits rings{0, 8};
 inline constexpr Limits objects{1, 16};  ///< how many in a document
 inline constexpr Limits patches{0, max_locals* max_locals};
 inline constexpr Limits id_length{1, 64}, label_length{0, 200};  ///< characters

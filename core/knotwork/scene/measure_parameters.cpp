@@ -184,7 +184,7 @@ std::vector<Parameter> rows_of(const ModelSort& sort) {
     row.range = {range_now, index};
     row.soft_range = {soft_range_now, index};
     row.applies = {has_measure, index};
-    row.disabled = [](const Document&) { return std::string(); };
+    row.disabled = [](const Document&) { return std::string_view(); };
     rows.push_back(row);
   }
   return rows;

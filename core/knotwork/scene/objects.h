@@ -57,6 +57,9 @@ struct SeamProblem {
   std::string member, message;
 };
 SeamProblem seam_problem(const BlendingSurfaceObject& object);
+/// The same for a model that twists; only with such a one can there be a problem.
+KNOTWORK_LATER SeamProblem twisted_seam_problem(const BlendingSurfaceObject& object);
+bool twists(const ModelSurface& model);
 
 /// A Bezier curve by its control points, model units; its degree is their number less one.
 struct BezierCurveObject {

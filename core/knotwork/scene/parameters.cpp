@@ -35,7 +35,7 @@ auto& field(D& document) {
   }
 }
 
-std::string never_disabled(const Document&) { return {}; }
+std::string_view never_disabled(const Document&) { return {}; }
 
 template <class... Objects>
 bool on_stage(const Document& document) {
@@ -124,6 +124,7 @@ Parameter choice(std::string_view id, std::string_view label, std::string_view g
   Parameter result = row(id, label, group, ParameterKind::choice);
   result.choices = std::move(choices);
   result.get = [](const Document& document) -> ParameterValue { return std::string(id_of(field<Member>(document))); };
+  result.chosen = [](const Document& document) { return static_cast<int>(field<Member>(document)); };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
     auto& member = field<Member>(document);
     const Result<int> index = choice_index(ids_of(member), value);
@@ -164,7 +165,7 @@ Parameter samples(std::string_view id, std::string_view label) {
     if (status) document.display.adaptive = false;  // who says how many means so many
     return status;
   };
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     return document.display.adaptive ? "The mesh is as fine as the screen asks for, until \"fit to screen\" is off."
                                      : "";
   };
@@ -189,13 +190,17 @@ std::string refused_closure(const Document& document, char direction) {
   return reason.empty() ? reason : reason + ", so its " + direction + " direction can only be open.";
 }
 
-/// Why the direction cannot become so, empty when it can.
-std::string refused_topology(const Document& document, char direction, Topology wanted) {
-  if (std::string reason = refused_closure(document, direction); wanted == Topology::closed && !reason.empty())
-    return reason;
+KNOTWORK_LATER std::string refused_by_twist(const Document& document, char direction, Topology wanted) {
   BlendingSurfaceObject changed = blending_surface(document);
   (direction == 'u' ? changed.topology_u : changed.topology_v) = wanted;
   return seam_problem(changed).message;
+}
+
+/// Why the direction cannot become so, empty when it can.
+std::string refused_topology(const Document& document, char direction, Topology wanted) {
+  if (wanted == Topology::closed)
+    if (std::string reason = refused_closure(document, direction); !reason.empty()) return reason;
+  return twists(blending_surface(document).model) ? refused_by_twist(document, direction, wanted) : std::string();
 }
 
 /// Changes the surface unless its twisted seams would not hold.
@@ -218,6 +223,10 @@ Parameter topology(std::string_view id, std::string_view label) {
   result.get = [](const Document& document) -> ParameterValue {
     const BSplineSurfaceObject* net = net_on(document);
     return std::string(id_of(net != nullptr ? direction_of(*net, direction).topology : field<Member>(document)));
+  };
+  result.chosen = [](const Document& document) {
+    const BSplineSurfaceObject* net = net_on(document);
+    return static_cast<int>(net != nullptr ? direction_of(*net, direction).topology : field<Member>(document));
   };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
     const Result<int> index = choice_index(ids_of(Topology{}), value);
@@ -281,6 +290,7 @@ Parameter model() {
   result.get = [](const Document& document) -> ParameterValue {
     return std::string(id_of(model_kind(*stage_model(document))));
   };
+  result.chosen = [](const Document& document) { return static_cast<int>(model_kind(*stage_model(document))); };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
     const Result<int> index = choice_index(ids_of(ModelKind{}), value);
     if (!index) return index.error();
@@ -322,6 +332,7 @@ Parameter patch_kind() {
   result.get = [](const Document& document) -> ParameterValue {
     return std::string(id_of(blending_surface(document).patches.kind));
   };
+  result.chosen = [](const Document& document) { return static_cast<int>(blending_surface(document).patches.kind); };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
     const Result<int> index = choice_index(ids_of(LocalSurfaceKind{}), value);
     if (!index) return index.error();
@@ -340,7 +351,7 @@ Parameter patch_degree(std::string_view id, std::string_view label) {
   result.get = [](const Document& document) -> ParameterValue {
     return static_cast<double>(blending_surface(document).patches.*Degree);
   };
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     const bool used = blending_surface(document).patches.kind == LocalSurfaceKind::bezier_hermite;
     return used ? "" : "Only Bézier patches have a degree to choose.";
   };
@@ -371,6 +382,7 @@ Parameter blending_function() {
   Parameter result = row("blending.function", "B-function", "Blending function", ParameterKind::choice);
   result.choices = std::move(choices);
   result.get = [](const Document& document) -> ParameterValue { return std::string(id_of(stage_blending(document))); };
+  result.chosen = [](const Document& document) { return static_cast<int>(stage_blending(document)); };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
     const Result<int> index = choice_index(ids_of(BlendingKind{}), value);
     if (!index) return index.error();
@@ -409,7 +421,7 @@ Parameter blending_parameter() {
     const Limits range = family_range(document);
     return range.max > 0 ? range : Limits{limits::blending_parameter.min, most_of_families()};
   };
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     return family_range(document).max > 0 ? "" : "This B-function has no parameter.";
   };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
@@ -486,7 +498,7 @@ KNOTWORK_LATER_ROW Parameter curve_ends() {
     const BSplineCurveObject& curve = bspline(document);
     return std::string(curve.topology == Topology::closed || is_clamped(curve) ? "clamped" : "unclamped");
   };
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     return bspline(document).topology == Topology::closed ? "A closed curve has no ends." : "";
   };
   result.set = [](Document& document, const ParameterValue& value) -> Status {
@@ -596,7 +608,7 @@ KNOTWORK_LATER_ROW Parameter fitted_choice(std::string_view id, std::string_view
 KNOTWORK_LATER_ROW Parameter fitted_ends() {
   Parameter result =
       fitted_choice<&FittedCurveObject::ends>("fitted.ends", "ends", {{"free", "free"}, {"interpolated", "held"}});
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     return closes(stage_shape(document)) ? "A closed curve has no ends." : "";
   };
   return result;
@@ -656,7 +668,7 @@ KNOTWORK_LATER_ROW Parameter subdivision_fraction() {
     if (x == nullptr) return Error{"", number_message(limits::share)};
     return without_path(set_fraction(on_stage_as<SubdivisionCurveObject>(document), *x));
   };
-  result.disabled = [](const Document& document) -> std::string {
+  result.disabled = [](const Document& document) -> std::string_view {
     const auto& object = on_stage_as<SubdivisionCurveObject>(document);
     return object.step == step_count(object) ? "The last step is done." : "";
   };

@@ -58,13 +58,15 @@ struct Parameter {
   std::vector<Choice> choices;
   bool in_history = true;  ///< false for the clock: playing and seeking are not undone
   RowFunction<ParameterValue(const Document&)> get;
+  /// Of a choice: the index of the present one in `choices`, for those who ask in every frame: get() makes a text of it.
+  RowFunction<int(const Document&)> chosen;
   /// Changes nothing on an error (out of range, wrong type, unknown choice, refused closure). The error's path is empty:
   /// apply() fills in the id.
   RowFunction<Status(Document&, const ParameterValue&)> set;
   /// Whether what is on the stage has this parameter. The functions around are for documents in which it has.
   RowFunction<bool(const Document&)> applies;
   /// Why this row cannot be changed now, empty when it can (e.g. m of a B-function without parameter).
-  RowFunction<std::string(const Document&)> disabled;
+  RowFunction<std::string_view(const Document&)> disabled;
   /// The limits of a number now, where they are narrower than min and max; see range_of().
   RowFunction<Limits(const Document&)> range;
   /// Where a slider had better begin and end now, where soft_max does not say it; see soft_range_of().

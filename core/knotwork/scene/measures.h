@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "knotwork/scene/document.h"
+#include "knotwork/scene/later.h"
+
+namespace knotwork::scene {
+
+/// A number about the shape on the stage, for the exercises of the page; nothing where the shape has no such measure, or
+/// there is none of this name. Lengths are in model units.
+///
+///   ring.distance       from the farthest of the document's rings to the point of the curve or surface nearest to it
+///   fit.rms, fit.max    of the distances of the data from a fitted curve, at their parameters
+///   points.count        control points, or data
+///   knots.multiplicity  the largest of an inner knot of a B-spline curve; 0 without inner knots
+///   knots.continuity    the least k such that the curve is C^k for sure at an inner knot: degree - multiplicity
+///   knots.ratio         the longest span of the domain over the shortest that is not empty
+///   locals.moved, locals.turned, locals.scaled   how many locals a hand has moved (1e-6), turned (1e-6) or scaled
+///   seam.gap            the largest distance between the two ends of a direction of a surface that is open, of both
+///                       the smaller; 0 when one is closed
+///   curve.length        arc length
+///   subdivision.error   the largest distance of the polygon's vertices from their own places on the limit
+KNOTWORK_LATER std::optional<double> measure(const Document& document, std::string_view name);
+
+}  // namespace knotwork::scene

@@ -1,0 +1,88 @@
+import type { Bridge } from './bridge';
+import { parseGoal, reached, type Comparison } from './goals';
+import type { Parameter } from './knotwork';
+import type { Figure, Scenes } from './scenes';
+
+const storageKey = 'knotwork.solved';
+
+/// Exercises notice by themselves that they are solved; which ones have been is kept in this browser alone.
+export class Exercises {
+  private readonly rows: { figure: Figure; goal: Comparison[]; state: HTMLElement; done: HTMLElement }[] = [];
+  private readonly solved: Set<string>;
+  private readonly scenes: Scenes;
+  private readonly bridge: Bridge;
+  private readonly announce: (words: string) => void;
+  private readonly forgetButton = document.getElementById('forget');
+
+  constructor(figures: readonly Figure[], scenes: Scenes, bridge: Bridge, announce: (words: string) => void) {
+    this.scenes = scenes;
+    this.bridge = bridge;
+    this.announce = announce;
+    this.solved = new Set(read());
+    for (const figure of figures) {
+      const goal = figure.element.dataset['goal'];
+      const state = figure.element.querySelector<HTMLElement>('.exercise-state');
+      const done = figure.element.querySelector<HTMLElement>('.exercise-done');
+      if (goal && state && done) this.rows.push({ figure, goal: parseGoal(goal), state, done });
+    }
+    this.forgetButton?.addEventListener('click', () => this.forget());
+    this.show();
+  }
+
+  update(parameters: ReadonlyMap<string, Parameter>): void {
+    const row = this.rows.find(({ figure }) => figure === this.scenes.shown);
+    if (!row || this.solved.has(row.figure.id)) return;
+    const look = (name: string): Parameter['value'] | undefined =>
+      parameters.get(name)?.value ?? this.bridge.measure(name) ?? undefined;
+    if (!reached(row.goal, look)) return;
+    this.solved.add(row.figure.id);
+    write([...this.solved]);
+    this.show();
+    this.announce(`Solved. ${row.done.textContent}`);
+  }
+
+  /// How many of a chapter's exercises are solved.
+  private progress(chapter: Element): [solved: number, all: number] {
+    const own = this.rows.filter(({ figure }) => chapter.contains(figure.element));
+    return [own.filter(({ figure }) => this.solved.has(figure.id)).length, own.length];
+  }
+
+  private forget(): void {
+    this.solved.clear();
+    write([]);
+    this.show();
+  }
+
+  private show(): void {
+    for (const { figure, state, done } of this.rows) {
+      const solved = this.solved.has(figure.id);
+      figure.element.toggleAttribute('data-solved', solved);
+      state.textContent = solved ? 'Solved' : '';
+      done.hidden = !solved;
+    }
+    if (this.forgetButton) this.forgetButton.hidden = this.solved.size === 0;
+    for (const place of document.querySelectorAll<HTMLElement>('[data-progress]')) {
+      const [solved, all] = this.progress(document.getElementById(place.dataset['progress']!)!);
+      place.textContent = all > 0 ? `${solved} / ${all}` : '';
+      place.title = all > 0 ? `${solved} of ${all} exercises solved` : '';
+    }
+  }
+}
+
+/// Storage may be full, forbidden or hold something else.
+function read(): string[] {
+  try {
+    const stored: unknown = JSON.parse(localStorage.getItem(storageKey) ?? '[]');
+    return Array.isArray(stored) ? stored.filter((id) => typeof id === 'string') : [];
+  } catch {
+    return [];
+  }
+}
+
+function write(solved: string[]): void {
+  try {
+    localStorage.setItem(storageKey, JSON.stringify(solved));
+  } catch {
+    // then it is known until the page is left
+  }
+}
