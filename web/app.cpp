@@ -223,8 +223,9 @@ bool App::enter_scene(const std::string& name) {
   return known;
 }
 
-void App::forget_history() {
+void App::begin_scene() {
   history_ = scene::History();
+  if (framed_once_) camera_is_ours_ = recompose_ = compose_at_once_ = true;
   notice_.clear();
   spoken_.clear();
   changed();

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import createMarkdown, { type MarkdownIt } from 'markdown-it';
 import { parseAction } from '../src/actions';
 import { parseGoal } from '../src/goals';
@@ -10,6 +12,7 @@ import type { Mathematics } from './mathematics';
 ///     [words](hue:a)                  words in a local patch's hue, a to d
 ///     [0.017](fact:name)              a number that a test computes anew (tests/unit/facts_test.cpp)
 ///     ::: name arguments ... :::      a block: lead, try, note, sources; controls id id ..., report, patches, settings;
+///                                     code path#region, cut out of a source that is compiled and tested;
 ///                                     figure id start [id=value&...], its text the caption; exercise id start
 ///                                     [id=value&...], its last lines `goal:`, `hint:` and `done:`
 ///     ## Title                        a section; its id is made from the title
@@ -53,6 +56,9 @@ export function renderChapter(source: string, mathematics: Mathematics): Chapter
   return { id: field('id'), title: field('title'), summary: field('summary'), sections, figures, html };
 }
 
+/// Sources are named from here; every npm script runs in the shell's folder.
+const repository = '..';
+
 /// Chapters stand on one page: no two things in them may have one name.
 export function checkNames(chapters: readonly Chapter[]): void {
   const names = new Set<string>();
@@ -94,6 +100,11 @@ function markdown(mathematics: Mathematics, sections: Chapter['sections'], figur
   return md;
 }
 
+/// Marked, as its letters are in faces of their own.
+function typeset(mathematics: Mathematics, tex: string, display: boolean): string {
+  return `<!--tex-->${mathematics.render(tex, display)}<!--/tex-->`;
+}
+
 function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
   md.inline.ruler.before('escape', 'mathematics', (state, silent) => {
     if (state.src[state.pos] !== '$') return false;
@@ -132,12 +143,12 @@ function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
   });
   md.renderer.rules['math_inline'] = (tokens, index) => {
     const { content, info } = tokens[index]!;
-    return `<span class="math">${mathematics.render(content, false)}${info}</span>`;
+    return `<span class="math">${typeset(mathematics, content, false)}${info}</span>`;
   };
   md.renderer.rules['math_block'] = (tokens, index) => {
     const [wide = '', narrow] = tokens[index]!.content.split(/^%% narrow$/m);
     const form = (tex: string, name: string): string =>
-      `<div class="${name}">${mathematics.render(tex.trim(), true)}</div>`;
+      `<div class="${name}">${typeset(mathematics, tex.trim(), true)}</div>`;
     const body = narrow === undefined ? form(wide, 'any') : form(wide, 'wide') + form(narrow, 'narrow');
     return `<div class="formula">${body}</div>\n`;
   };
@@ -154,6 +165,17 @@ function figure(words: string[], figures: FigureSource[]): FigureSource {
 
 const escaped = (text: string): string =>
   text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+
+/// The lines between `// [region]` and `// [/region]` of a source, indented as little as may be.
+export function excerpt(path: string, region: string): string {
+  const lines = readFileSync(join(repository, path), 'utf8').split('\n');
+  const at = (mark: string): number => lines.findIndex((line) => line.trim() === `// [${mark}]`);
+  const [from, to] = [at(region), at(`/${region}`)];
+  if (!region || from < 0 || to < from) throw new Error(`${path} has no region "${region}"`);
+  const cut = lines.slice(from + 1, to);
+  const indent = Math.min(...cut.filter((line) => line.trim()).map((line) => line.length - line.trimStart().length));
+  return cut.map((line) => line.slice(indent)).join('\n');
+}
 
 const figureData = ({ id, start, values }: FigureSource): string =>
   `id="figure-${id}" data-figure="${id}" data-start="${escaped(start)}" data-values="${escaped(values)}"`;
@@ -184,6 +206,10 @@ function block(
         `<figure class="figure" ${figureData(source)}><figcaption>`,
         `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}</p></figcaption></figure>`,
       ];
+    }
+    case 'code': {
+      const [path = '', region = ''] = (words[0] ?? '').split('#');
+      return [`<pre class="code" data-source="${escaped(path)}"><code>${escaped(excerpt(path, region))}</code></pre>`, ''];
     }
     case 'exercise': {
       const source = figure(words, figures);

@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import subsetFont from 'subset-font';
 import type { Mathematics } from './mathematics';
 
-/// Fonts are cut down to the characters that the page shows, at build time. The stage's two are TrueType, as Dear
-/// ImGui reads them; the page's are woff2.
+/// Fonts are cut down to the characters that the page shows, at build time. Inter comes as two TrueType files, as Dear
+/// ImGui reads them; the page takes the same two, so that they are fetched once. The others are woff2.
 
 type Axes = Record<string, number | { min: number; max: number; default?: number }>;
 
@@ -39,7 +39,13 @@ const mathematicsFonts: [file: string, family: string, weight: string, style: 'n
     ['Caligraphic-Regular', 'KaTeX_Caligraphic', '400', 'normal', ['mathcal']],
   ];
 
-export async function makeFonts(directory: string, pageText: string, mathematics: Mathematics): Promise<void> {
+/// `pageText` is all that the page says, `italicText` what of it is in italics.
+export async function makeFonts(
+  directory: string,
+  pageText: string,
+  italicText: string,
+  mathematics: Mathematics,
+): Promise<void> {
   await mkdir(directory, { recursive: true });
   const text = unique(ascii + pageText + '“”‘’–—…·×−');
   const serif = '@fontsource-variable/source-serif-4/files/source-serif-4-latin-opsz';
@@ -51,35 +57,35 @@ export async function makeFonts(directory: string, pageText: string, mathematics
       axes: { wght: { min: 400, max: 650 }, opsz: 20 }, features: textFeatures,
     },
     {
-      family: 'Source Serif 4 Variable', file: 'serif-italic.woff2', source: `${serif}-italic.woff2`, text,
-      weight: '400', style: 'italic', axes: { wght: 400, opsz: 16 }, features: textFeatures,
-    },
-    {
-      family: 'Inter', file: 'sans.woff2', source: inter, text: unique(text + stageSymbols), weight: '400 650',
-      axes: { wght: { min: 400, max: 650 }, opsz: 14 }, features: ['kern', 'calt', 'ccmp', 'mark', 'tnum'],
+      family: 'Source Serif 4 Variable', file: 'serif-italic.woff2', source: `${serif}-italic.woff2`,
+      text: unique(italicText), weight: '400', style: 'italic', axes: { wght: 400, opsz: 16 }, features: textFeatures,
     },
   ];
   for (const [file, family, weight, style, classes] of mathematicsFonts) {
     if (classes.length > 0 && !classes.some((name) => mathematics.uses(name))) continue;
     faces.push({
       family, file: `katex-${file}.woff2`, source: `katex/dist/fonts/KaTeX_${file}.woff2`,
-      text: mathematics.characters(), weight, style, features: [],
+      text: mathematics.characters(family), weight, style, features: [],
     });
   }
-  await Promise.all(faces.map((face) => makeFace(directory, face, 'woff2')));
-  for (const weight of [400, 600]) {
-    const text = unique(ascii + stageSymbols);
-    const face: Face = { family: '', file: `stage-${weight}.ttf`, source: inter, text, weight: `${weight}` };
-    await makeFace(directory, { ...face, axes: { wght: weight, opsz: 14 }, features: ['kern', 'tnum'] }, 'truetype');
+  for (const [weight, range] of [[400, '400'], [600, '500 700']] as const) {
+    faces.push({
+      family: 'Inter', file: `stage-${weight}.ttf`, source: inter, text: unique(text + stageSymbols), weight: range,
+      axes: { wght: weight, opsz: 14 }, features: ['kern', 'ccmp', 'tnum'],
+    });
   }
+  await Promise.all(faces.map((face) => makeFace(directory, face)));
   await writeFile(join(directory, 'fonts.css'), faces.map(rule).join(''));
 }
 
-async function makeFace(directory: string, face: Face, targetFormat: 'woff2' | 'truetype'): Promise<void> {
+const formatOf = (face: Face): 'woff2' | 'truetype' => (face.file.endsWith('.ttf') ? 'truetype' : 'woff2');
+
+async function makeFace(directory: string, face: Face): Promise<void> {
   const path = createRequire(import.meta.url).resolve(face.source);
   const cut = await subsetFont(await readFile(path), face.text, {
-    targetFormat,
+    targetFormat: formatOf(face),
     preserveNameIds: [0, 13, 14],  // copyright and licence stay in the file
+    noHinting: true,  // for screens so coarse that few are left
     ...(face.axes ? { variationAxes: face.axes } : {}),
     ...(face.features ? { keepFeatures: face.features } : {}),
   });
@@ -89,7 +95,7 @@ async function makeFace(directory: string, face: Face, targetFormat: 'woff2' | '
 function rule(face: Face): string {
   return (
     `@font-face{font-family:'${face.family}';font-style:${face.style ?? 'normal'};font-weight:${face.weight};` +
-    `font-display:swap;src:url('./${face.file}') format('woff2')}\n`
+    `font-display:swap;src:url('./${face.file}') format('${formatOf(face)}')}\n`
   );
 }
 

@@ -33,9 +33,13 @@ export function page(options: PageOptions): Plugin {
       });
     checkNames(chapters);
     mkdirSync(generated, { recursive: true });
-    writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet());
-    const text = chapters.map((chapter) => chapter.html.replace(/<math[\s\S]*?<\/math>|<[^>]*>/g, '')).join('');
-    await makeFonts(generated, text + readFileSync(join(options.root, 'index.html'), 'utf8'), mathematics);
+    const page = chapters.map(({ html }) => html).join('');
+    writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));
+    const words = chapters.map(({ html }) => html.replace(typeset, ''));
+    const text = words.join('').replace(/<[^>]*>/g, '');
+    const italic = words.flatMap((html) => [...html.matchAll(/<em>(.*?)<\/em>/gs)].map((match) => match[1]!));
+    const frame = readFileSync(join(options.root, 'index.html'), 'utf8');
+    await makeFonts(generated, text + frame, italic.join('').replace(/<[^>]*>/g, ''), mathematics);
   };
 
   return {
@@ -92,8 +96,8 @@ export function head(options: PageOptions): Plugin {
         for (const [file, output] of Object.entries(context.bundle ?? {})) {
           if (/\/knotwork-[\w-]+\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
           // All that the first screen shows, or its text would move when a face comes late.
-          if (/\/(serif|serif-italic|sans|katex-Main-Regular|katex-Math-Italic)-[\w-]+\.woff2$/.test(file)) {
-            preload(file, { rel: 'preload', as: 'font', type: 'font/woff2', crossorigin: true });
+          if (/\/(serif|serif-italic|katex-Main-Regular|katex-Math-Italic|stage-400|stage-600)-[\w-]+\.(woff2|ttf)$/.test(file)) {
+            preload(file, { rel: 'preload', as: 'font', type: `font/${file.split('.').at(-1)}`, crossorigin: true });
           }
           if (output.type === 'chunk' && !output.isEntry) preload(file, { rel: 'modulepreload', crossorigin: true });
         }
@@ -106,6 +110,9 @@ export function head(options: PageOptions): Plugin {
     },
   };
 }
+
+/// What is typeset in mathematics' own faces; see chapter.ts.
+const typeset = /<!--tex-->[\s\S]*?<!--\/tex-->/g;
 
 function sizeOf(path: string): number {
   return existsSync(path) ? statSync(path).size : 0;
@@ -122,7 +129,7 @@ function article(chapters: readonly Chapter[], index: number): string {
       : '';
   return (
     `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}">\n` +
-    `<h1>${chapter.title}</h1>\n${chapter.html}${turn}</article>`
+    `<h1>${chapter.title}</h1>\n${chapter.html.replace(/<!--\/?tex-->/g, '')}${turn}</article>`
   );
 }
 

@@ -11,13 +11,21 @@ const wasmBudget = 200 * 1024;
 const json = async (file) => JSON.parse(await readFile(join(dist, file), 'utf8'));
 const [manifest, sizes] = await Promise.all([json('manifest.json'), json('sizes.json')]);
 
+// A figure's document is fetched when the figure is near: those up to the chapter on Bezier curves count.
+const page = await readFile(join(dist, 'index.html'), 'utf8');
+const near = page.slice(0, page.indexOf('id="bsplines"'));
+const isFarScene = (key) => {
+  const scene = /scenes\/([\w-]+)\.json/.exec(key)?.[1];
+  return scene !== undefined && !near.includes(`data-figure="${scene}"`);
+};
+
 const loaded = new Set(['index.html', 'arriving.js', 'favicon.svg', 'manifest.webmanifest']);
 function follow(key) {
   const chunk = manifest[key];
   if (!chunk || loaded.has(chunk.file)) return;
   loaded.add(chunk.file);
   for (const file of [...(chunk.css ?? []), ...(chunk.assets ?? [])]) loaded.add(file);
-  for (const next of [...(chunk.imports ?? []), ...(chunk.dynamicImports ?? [])]) follow(next);
+  for (const next of [...(chunk.imports ?? []), ...(chunk.dynamicImports ?? [])]) if (!isFarScene(next)) follow(next);
 }
 follow('index.html');
 // Fonts and other files that a style sheet names.

@@ -216,8 +216,9 @@ export class Bridge {
   measure(name: string): number | null {
     return this.json('knotwork_measure', name) as number | null;
   }
-  forgetHistory(): void {
-    this.number('knotwork_forget_history');
+  /// What is on the stage now is the scene's start: there is nothing to undo.
+  begin(): void {
+    this.number('knotwork_begin_scene');
   }
   select(handle: string): void {
     this.json('knotwork_select', handle);

@@ -95,7 +95,7 @@ export class Scenes {
     this.bridge.enter(figure.id);
     if (this.bridge.state().canUndo) return;
     this.set(figure);
-    this.bridge.forgetHistory();
+    this.bridge.begin();
     this.changed();
   }
 
@@ -107,7 +107,7 @@ export class Scenes {
     this.current = figure;
     if (!this.bridge.enter(figure.id)) {
       this.load(figure, document);
-      this.bridge.forgetHistory();
+      this.bridge.begin();
     }
     this.changed();
   }

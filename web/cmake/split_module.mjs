@@ -12,14 +12,14 @@ const [folder, module, later, ...options] = process.argv.slice(2);
 // Functions of the second part by their names: marked ones; what is inside a marked maker of rows (its functions, that
 // is, not the maker, even where it has a marked function as an argument); the catalogues' formulas; copying and
 // comparing shapes and figures of any kind but the first; what stands for another surface than the blending one; and
-// what evaluates a curve or measures a surface.
+// what evaluates a curve.
 const marks = [
   /^(?!.*\[abi:rows\]).*\[abi:later\]/,
   /\[abi:rows\].*\)::(\$_|'lambda)/,
   /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/,
   /__dispatcher<[1-9]\d*ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::(web::BlendingFigure|scene::BlendingSurfaceObject)/,
   /knotted_surface<(?!knotwork::BlendingSurface>)/,
-  /\b(curve|surface)_view(<.*>)?\(.*\)::(\$_|'lambda)/,
+  /\bcurve_view(<.*>)?\(.*\)::(\$_|'lambda)/,
 ];
 const plain = (name) => name.replace(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
 // What wasm-opt has made of several similar functions bears the name of any of them: it belongs to whoever calls it.
