@@ -20,6 +20,7 @@ set(KNOTWORK_WEB_APP_SOURCES
   blending_curve_panel.cpp
   blending_panel.cpp
   bridge.cpp
+  curvature_comb.cpp
   curve_ornaments.cpp
   curve_panel.cpp
   figure_panel.cpp

@@ -108,12 +108,12 @@ export class Page {
     for (const { button, action, figure } of this.phrases)
       button.classList.toggle('done', (!shown || shown === figure) && fulfilled(action, rows));
     this.figureTools.update(state.canUndo);
-    this.exercises.update(rows);
     if (state.surface) for (const table of this.tables) table.update(state.surface, rows);
     for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
     if (state.notice !== this.lastNotice) this.announce(state.notice);
     this.lastNotice = state.notice;
+    this.exercises.update(rows);  // what it says is said last
   }
 
   private rows(): Map<string, Parameter> {

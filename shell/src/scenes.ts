@@ -6,14 +6,24 @@ import { readingLine } from './sections';
 export interface Figure {
   id: string;
   element: HTMLElement;
+  /// Where it comes to the stage: a chapter's first figure with the chapter.
+  from: Element;
   start: string;
   values: [id: string, value: Value][];
 }
 
 export function readFigures(root: ParentNode): Figure[] {
+  const begun = new Set<Element>();
+  const from = (element: Element): Element => {
+    const chapter = element.closest('[data-chapter]');
+    if (!chapter || begun.has(chapter)) return element;
+    begun.add(chapter);
+    return chapter;
+  };
   return [...root.querySelectorAll<HTMLElement>('[data-figure]')].map((element) => ({
     id: element.dataset['figure']!,
     element,
+    from: from(element),
     start: element.dataset['start']!,
     values: [...new URLSearchParams(element.dataset['values'])].map(([id, value]) => [id, parseValue(value)]),
   }));
@@ -147,7 +157,7 @@ export class Scenes {
     const line = readingLine();
     let found: Figure | null = null;
     for (const figure of this.figures) {
-      if (figure.element.getBoundingClientRect().top > line) break;
+      if (figure.from.getBoundingClientRect().top > line) break;
       found = figure;
     }
     return found ?? this.figures[0] ?? null;

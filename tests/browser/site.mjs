@@ -124,7 +124,8 @@ async function loadLean(page, surface) {
   }, surface);
 }
 
-/// Options: full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
+/// The page is opened at the chapter on blending surfaces, whose first figure stands still.
+/// Options: followed: at its beginning instead, whose figure breathes; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
 /// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
 /// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page): runs
 /// before the page is opened; expected: patterns of complaints that are provoked.
@@ -147,7 +148,7 @@ export async function openPage(options = {}) {
   const complaints = [];
   watch(page, new URL(address).origin, complaints);
   await options.before?.(page);
-  await page.goto(address);
+  await page.goto(options.followed ? address : `${address}#blending-surface`);
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);

@@ -29,6 +29,21 @@ export async function parameter(page, id) {
   return row;
 }
 
+/// Brings a place of the prose to where it is read.
+export async function scrollTo(page, selector) {
+  await page.evaluate((place) => {
+    const stage = document.getElementById('stage').getBoundingClientRect();
+    const top = stage.width >= innerWidth ? stage.bottom : 0;
+    const { top: at } = document.querySelector(place).getBoundingClientRect();
+    window.scrollTo({ top: at + scrollY - top - 0.3 * (innerHeight - top), behavior: 'instant' });
+  }, selector);
+}
+
+/// The figure on the stage; null while it shows something else.
+export async function shownFigure(page) {
+  return page.evaluate(() => document.querySelector('[data-shown]')?.dataset.figure ?? null);
+}
+
 /// Resolves when the stage has come to rest: the page's own transitions have ended, some animation frames have gone by,
 /// and none of them was drawn.
 export async function settled(page) {

@@ -62,6 +62,7 @@ TEST_CASE("parameters: the table has exactly the promised rows, each complete") 
                                  "locals.v",
                                  "blending.function",
                                  "blending.parameter",
+                                 "display.comb",
                                  "samples.adaptive",
                                  "samples.u",
                                  "samples.v",

@@ -26,6 +26,7 @@ struct Display {
   bool surface = true, patch_colours = true, knot_lines = true, wireframe = false;
   bool local_patches = false, frames = false, normals = false, handles = true;
   bool polygon = true, construction = true;  ///< of a curve: its control polygon, its construction at the parameter
+  bool comb = false;                         ///< of a curve: its curvature as hairs
   bool adaptive = true;                      ///< a surface's grid is fitted to the screen, else it has its own samples
   std::vector<Eigen::Vector3d> rings;        ///< places marked by a ring, for exercises; model units
 

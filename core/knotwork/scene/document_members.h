@@ -256,6 +256,7 @@ void members(Io& io, Is<Display> auto& display) {
   io.toggle("handles", display.handles);
   io.toggle("polygon", display.polygon);
   io.toggle("construction", display.construction);
+  io.later_toggle("comb", display.comb);
   io.later_toggle("adaptive", display.adaptive);
   io.later_points("rings", display.rings, limits::rings);
 }

@@ -769,6 +769,8 @@ std::vector<Parameter> make_table() {
       about<NetSurface>(toggle<&Display::polygon>("display.net", "control net", "Show")),
       about<Bezier, BSpline, Model, Blending>(
           toggle<&Display::construction>("display.construction", "construction", "Show")),
+      about<Bezier, BSpline, Fitted, Subdivision, Model, Blending>(
+          toggle<&Display::comb>("display.comb", "curvature comb", "Show")),
       about<Surface, Bezier, BSpline, Fitted, Subdivision, Model, Blending, NetSurface>(
           toggle<&Display::handles>("display.handles", "handles", "Show")),
       // Behind what is shown: the panel has groups with switches in the order of the table.

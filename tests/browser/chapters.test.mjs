@@ -1,0 +1,162 @@
+// The chapters: every figure comes to the stage, every phrase does what it says, exercises notice that they are solved.
+import assert from 'node:assert/strict';
+import { pageTest } from './page_test.mjs';
+import {
+  call, documentOf, drag, handlesOf, nextUndo, parameter, plus, scrollTo, settled, shownFigure, until,
+} from './stage.mjs';
+
+const whole = { followed: true, full: true };
+
+/// What an element's data say about the figure's start.
+const figures = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure]')].map(({ dataset }) => ({
+      id: dataset.figure,
+      start: dataset.start,
+      values: [...new URLSearchParams(dataset.values)],
+      goal: dataset.goal ?? null,
+    })),
+  );
+
+/// What the prose asks for so that the reader sees it refused.
+const refused = new Set(['set?fitted.count=11']);
+
+const same = (now, said) => String(now) === said || Number(now) === Number(said);
+
+pageTest('every figure comes to the stage as it is declared, and no exercise is solved at its start', whole, async (page) => {
+  const all = await figures(page);
+  assert.ok(all.length > 30, `${all.length} figures`);
+  for (const { id, start, values, goal } of all) {
+    await scrollTo(page, `#figure-${id}`);
+    await until(page, (name) => document.querySelector('[data-shown]')?.dataset.figure === name, id);
+    for (const [name, value] of values) {
+      const { value: now } = await parameter(page, name);
+      assert.ok(same(now, value), `${id}: ${name} is ${now}, not ${value}`);
+    }
+    if (start !== 'file') {
+      const own = await page.evaluate((chapter) => window.knotwork.chapters().some((row) => row.id === chapter), start);
+      assert.ok(own, `${id} starts from ${start}`);
+    }
+    if (goal) {
+      const solved = await page.evaluate((name) => document.getElementById(`figure-${name}`).dataset.solved, id);
+      assert.equal(solved, undefined, `${id} is solved before anything is done`);
+    }
+    const undo = page.locator('#undo');
+    assert.equal(await undo.getAttribute('aria-disabled'), 'true', `${id}: there is something to undo`);
+  }
+});
+
+pageTest('every phrase does to its figure what it says', whole, async (page) => {
+  const phrases = page.locator('.prose [data-run]');
+  const count = await phrases.count();
+  assert.ok(count > 60, `${count} phrases`);
+  for (let k = 0; k < count; ++k) {
+    const phrase = phrases.nth(k);
+    const words = `${await phrase.textContent()} (${await phrase.getAttribute('data-run')})`;
+    const [name, query = ''] = (await phrase.getAttribute('data-run')).split('?');
+    await phrase.evaluate((element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
+    await phrase.click();
+    // Of one parameter set twice the last value counts.
+    const wanted = name === 'set' ? Object.fromEntries(new URLSearchParams(query)) : { 'animation.playing': `${name === 'play'}` };
+    if (refused.has(await phrase.getAttribute('data-run'))) {
+      await page.waitForFunction(() => /b₅|basis function/.test(document.getElementById('notice').textContent));
+      continue;
+    }
+    await page.waitForFunction(
+      (pairs) => {
+        const rows = new Map(window.knotwork.parameters().map((row) => [row.id, row.value]));
+        return Object.entries(pairs).every(
+          ([id, value]) => String(rows.get(id)) === value || Number(rows.get(id)) === Number(value),
+        );
+      },
+      wanted,
+      { timeout: 5000 },
+    ).catch(() => assert.fail(`${words} does not do what it says`));
+    if (wanted['animation.playing'] === 'true') await call(page, 'pause');
+  }
+});
+
+for (const [name, size] of [['desktop', [1440, 900]], ['tablet', [1024, 768]], ['phone', [390, 844]]]) {
+  pageTest(`no formula and no code is wider than its column: ${name}`, { size }, async (page) => {
+    const wide = await page.evaluate(() =>
+      [...document.querySelectorAll('.formula, .code, .prose table')]
+        .filter((element) => {
+          const room = element.closest('article').getBoundingClientRect();
+          const parts = [element, ...element.querySelectorAll('.katex-html, .base')];
+          return parts.some((part) => part.getBoundingClientRect().right > room.right + 1);
+        })
+        .map((element) => `${element.closest('article').id}: ${element.textContent.slice(0, 60)}`),
+    );
+    assert.deepEqual(wide, []);
+  });
+}
+
+pageTest('the stage goes with the reader, and what was done to a figure is there again', whole, async (page) => {
+  const start = await shownFigure(page);
+  await scrollTo(page, '#figure-de-casteljau');
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'de-casteljau');
+  await settled(page);
+  const [first] = await handlesOf(page);
+  await drag(page, first.screen, plus(first.screen, [20, -25]));
+  const edited = await documentOf(page);
+  await scrollTo(page, '#figure-circle-six');
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'circle-six');
+  assert.notEqual((await documentOf(page)).objects[0].kind, edited.objects[0].kind);
+  await scrollTo(page, '#figure-de-casteljau');
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'de-casteljau');
+  assert.deepEqual((await documentOf(page)).objects, edited.objects);
+  // Its history is its own: one step back, and no more.
+  await call(page, 'undo');
+  const undone = await documentOf(page);
+  assert.notDeepEqual(undone.objects, edited.objects);
+  assert.match(await nextUndo(page), /true/);
+  await call(page, 'redo');
+  await page.locator('#figure-de-casteljau [data-again]').click();
+  assert.deepEqual((await documentOf(page)).objects, undone.objects);
+  assert.notEqual(start, 'de-casteljau');
+});
+
+pageTest('what a script puts on the stage stays there until a figure is asked for', whole, async (page) => {
+  await call(page, 'open', 'tensor-surface');
+  const own = await documentOf(page);
+  await scrollTo(page, '#figure-circle-six');
+  await settled(page);
+  assert.deepEqual((await documentOf(page)).objects, own.objects);
+  await page.locator('#figure-circle-six [data-show]').click();
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'circle-six');
+  assert.equal((await documentOf(page)).objects[0].kind, 'fittedCurve');
+});
+
+pageTest('an exercise is solved by hand, said, kept and forgotten', whole, async (page) => {
+  await scrollTo(page, '#figure-seven-will-do');
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'seven-will-do');
+  const exercise = page.locator('#figure-seven-will-do');
+  assert.equal(await exercise.getAttribute('data-solved'), null);
+  const goal = await exercise.getAttribute('data-goal');
+  assert.match(goal, /fitted\.count/);
+  await call(page, 'set', 'curve.topology', 'closed');
+  await call(page, 'set', 'fitted.count', 7);
+  await call(page, 'set', 'fitted.parameters', 'chordLength');
+  await until(page, () => document.getElementById('figure-seven-will-do').dataset.solved === '');
+  assert.ok(await exercise.locator('.exercise-done').isVisible());
+  assert.match(await page.locator('#notice').textContent(), /^Solved\./);
+  await page.reload();
+  await page.evaluate(() => window.knotwork.ready);
+  assert.equal(await page.locator('#figure-seven-will-do').getAttribute('data-solved'), '');
+  await page.locator('#contents summary').click();
+  assert.match(await page.locator('[data-progress="fitting"]').textContent(), /^1 \/ \d/);
+  await page.locator('#forget').click();
+  assert.equal(await page.locator('#figure-seven-will-do').getAttribute('data-solved'), null);
+});
+
+pageTest('the list of chapters opens, leads on and closes', {}, async (page) => {
+  const contents = page.locator('#contents');
+  await contents.locator('summary').click();
+  await contents.getByRole('link', { name: 'Fitting' }).first().click();
+  assert.equal(await contents.getAttribute('open'), null);
+  assert.match(page.url(), /#fitting$/);
+  await until(page, () => document.querySelector('#contents a[aria-current]')?.hash === '#fitting');
+  await contents.locator('summary').click();
+  await page.keyboard.press('Escape');
+  assert.equal(await contents.getAttribute('open'), null);
+});
