@@ -27,7 +27,8 @@ install_tools() {
     local packages=(cmake ninja-build g++ emscripten libeigen3-dev libglm-dev nlohmann-json3-dev doctest-dev
       ca-certificates xz-utils)
     if [[ $1 == test ]]; then
-      packages+=(clang-format clang-tidy librapidcheck-dev libbenchmark-dev libsisl-dev python3-scipy valgrind)
+      packages+=(clang-format clang-tidy librapidcheck-dev libbenchmark-dev libsisl-dev python3-scipy valgrind
+        hunspell hunspell-en-gb)
       find_chromium >/dev/null || packages+=(chromium)
     fi
     command -v node >/dev/null || packages+=(nodejs)

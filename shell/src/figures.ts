@@ -1,12 +1,18 @@
 import type { Figure, Scenes } from './scenes';
 
-/// The words under a figure's caption: which one is on the stage, and how it starts again.
+/// The words under a figure's caption: which one is on the stage, and how it starts again. The stage is described by the
+/// caption of what it shows.
 export class FigureTools {
   private readonly rows: { figure: Figure; show: HTMLButtonElement; again: HTMLButtonElement }[] = [];
   private readonly scenes: Scenes;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly keys: string;
+  private described: Figure | null = null;
 
-  constructor(figures: readonly Figure[], scenes: Scenes, failed: (error: unknown) => void) {
+  constructor(figures: readonly Figure[], scenes: Scenes, canvas: HTMLCanvasElement, failed: (error: unknown) => void) {
     this.scenes = scenes;
+    this.canvas = canvas;
+    this.keys = canvas.getAttribute('aria-describedby') ?? '';
     for (const figure of figures) {
       const show = figure.element.querySelector<HTMLButtonElement>('[data-show]');
       const again = figure.element.querySelector<HTMLButtonElement>('[data-again]');
@@ -20,6 +26,10 @@ export class FigureTools {
 
   update(canUndo: boolean): void {
     const { shown } = this.scenes;
+    if (shown !== this.described) {
+      this.described = shown;
+      this.canvas.setAttribute('aria-describedby', `${shown ? `${shown.element.id} ` : ''}${this.keys}`);
+    }
     for (const { figure, show, again } of this.rows) {
       const here = figure === shown;
       figure.element.toggleAttribute('data-shown', here);

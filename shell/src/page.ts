@@ -41,7 +41,7 @@ export class Page {
 
     const figures = readFigures(document);
     this.scenes = new Scenes(bridge, figures, () => this.update());
-    this.figureTools = new FigureTools(figures, this.scenes, (failed) => this.refuse(failed));
+    this.figureTools = new FigureTools(figures, this.scenes, canvas, (failed) => this.refuse(failed));
     this.exercises = new Exercises(figures, this.scenes, bridge, (words) => this.announce(words));
     this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {

@@ -102,6 +102,7 @@ pageTest('the stage goes with the reader, and what was done to a figure is there
   await scrollTo(page, '#figure-circle-six');
   await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'circle-six');
   assert.notEqual((await documentOf(page)).objects[0].kind, edited.objects[0].kind);
+  assert.match(await page.locator('canvas').getAttribute('aria-describedby'), /^figure-circle-six /);
   await scrollTo(page, '#figure-de-casteljau');
   await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'de-casteljau');
   assert.deepEqual((await documentOf(page)).objects, edited.objects);

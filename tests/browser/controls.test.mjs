@@ -23,7 +23,7 @@ pageTest('the blending function is chosen in the panel and in the page', {}, asy
   assert.equal(await hasWidget(page, 'blending.function: linear'), false, 'the list stays open');
   assert.notDeepEqual(await sampleCells(page), smooth);
 
-  const select = page.getByRole('combobox', { name: (await parameter(page, 'blending.function')).label });
+  const select = page.locator('#blending-surface').getByRole('combobox', { name: (await parameter(page, 'blending.function')).label });
   assert.equal(await select.inputValue(), 'linear', 'the page does not follow the panel');
   await select.selectOption('expo_rational');
   await settled(page);

@@ -126,38 +126,24 @@ pageTest("the Bezier curve's parameter is dragged along the curve, with its cons
   assert.ok(!(await call(page, 'widgets')).some(({ label }) => label.startsWith('knot')), 'its knots cannot be moved');
 });
 
-pageTest('phrases bring curves and the surface; a phrase about the surface brings it back first', { full: true }, async (page) => {
+pageTest('the settings at the foot are those of the curve on the stage; controls of a surface rest', { full: true }, async (page) => {
   const surface = (await documentOf(page)).objects[0];
-  for (const [name, kind] of [
-    ['A Bézier curve', 'bezierCurve'],
-    ['20 points of a circle', 'fittedCurve'],
-    ['A polygon whose corners are cut', 'subdivisionCurve'],
-    ['A blending curve', 'blendingCurve'],
-    ['a model curve', 'modelCurve'],
-    ['A B-spline surface', 'bsplineSurface'],
-    ['The surfaces of the catalogue', 'modelSurface'],
-    ['the blending surface', 'blendingSurface'],
-    ['A B-spline curve', 'bsplineCurve'],
-  ]) {
-    await page.getByRole('button', { name, exact: true }).click();
-    assert.equal((await curveOf(page)).kind, kind);
-  }
-  // At the foot of the page are the curve's own settings now.
+  await opened(page, 'bspline-curve');
   await page.locator('[data-settings] summary', { hasText: 'Curve' }).click();
-  await page.getByRole('slider', { name: 'degree' }).focus();
+  await page.locator('[data-settings]').getByRole('slider', { name: 'degree' }).focus();
   await page.keyboard.press('ArrowLeft');
   assert.equal((await curveOf(page)).degree, 2);
   await call(page, 'undo');
-  const toggles = page.getByRole('group', { name: /topology u/i }).getByRole('radio');
+  const chapter = page.locator('#blending-surface');
+  const toggles = chapter.getByRole('group', { name: /topology u/i }).getByRole('radio');
   assert.deepEqual(await toggles.evaluateAll((inputs) => inputs.map((input) => input.disabled || input.checked)), [true, true]);
-  await page.getByRole('button', { name: 'open the surface in v', exact: true }).click();
-  const opened = (await documentOf(page)).objects[0];
-  assert.deepEqual({ ...opened, topology: surface.topology }, surface);
-  assert.deepEqual(opened.topology, { u: 'closed', v: 'open' });
+  // A phrase brings the figure that it is about, as its chapter has it.
+  await chapter.getByRole('button', { name: 'Open it', exact: true }).click();
+  await until(page, () => window.knotwork.document().objects[0].kind === 'blendingSurface');
+  const now = (await documentOf(page)).objects[0];
+  assert.deepEqual(now.topology, { u: 'closed', v: 'open' });
+  assert.deepEqual({ ...now, topology: surface.topology }, surface);
   assert.equal(await toggles.first().isDisabled(), false);
-  // One deed, one step.
-  await call(page, 'undo');
-  assert.equal((await curveOf(page)).kind, 'bsplineCurve');
 });
 
 pageTest('curve, polygon and basis functions are drawn', { full: true, size: [1200, 800] }, async (page) => {

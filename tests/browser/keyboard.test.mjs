@@ -147,7 +147,7 @@ pageTest('the list of patches selects one for the keys', {}, async (page) => {
   await settled(page);
   const [handle] = await selectedOf(page);
   assert.equal(handle.id, await list.inputValue());
-  await page.getByRole('button', { name: 'move it with the keys' }).click();
+  await page.locator('#blending-surface').getByRole('button', { name: 'move it with the keys' }).click();
   assert.equal(await focused(page), 'stage');
   await page.keyboard.press('PageUp');
   await settled(page);

@@ -174,11 +174,11 @@ pageTest('the clock is scrubbed in the panel', {}, async (page) => {
 
 pageTest('the switch beside the prose starts and stops the clock', {}, async (page) => {
   const row = (await call(page, 'parameters')).find(({ id }) => id === 'animation.playing');
-  const toggle = page.getByRole('switch', { name: row.label });
+  const toggle = page.locator('#blending-surface').getByRole('switch', { name: row.label });
   await toggle.click();
   await until(page, () => window.knotwork.document().animation.time > 0.05);
   await page.waitForFunction(() => document.querySelector('[data-parameter="animation.playing"] [aria-checked=true]'));
-  await page.getByRole('button', { name: 'stopped', exact: true }).click();
+  await page.locator('#blending-surface').getByRole('button', { name: 'stop', exact: true }).click();
   await until(page, () => !window.knotwork.document().animation.playing);
   await settled(page);
   assert.equal(await toggle.getAttribute('aria-checked'), 'false');

@@ -124,6 +124,14 @@ async function loadLean(page, surface) {
   }, surface);
 }
 
+/// Keeps what is on the stage there while a test scrolls the page, which it brings to its beginning.
+async function stay(page) {
+  await page.evaluate(() => {
+    window.knotwork.load(window.knotwork.document());
+    window.scrollTo({ top: 0, behavior: 'instant' });
+  });
+}
+
 /// The page is opened at the chapter on blending surfaces, whose first figure stands still.
 /// Options: followed: at its beginning instead, whose figure breathes; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
 /// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
@@ -152,6 +160,7 @@ export async function openPage(options = {}) {
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);
+    if (!options.followed) await stay(page);
     if (!options.full) await loadLean(page, options.drawn ?? false);
   }
   return {

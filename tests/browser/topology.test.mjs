@@ -11,7 +11,7 @@ const topologyOf = async (page) => (await surfaceOf(page)).topology;
 
 /// The row of the report's table that is marked as the present one, as text of its cells.
 async function reportRow(page) {
-  const row = page.getByRole('table').locator('[aria-current=true]');
+  const row = page.locator('#blending-surface .report').getByRole('table').locator('[aria-current=true]');
   assert.equal(await row.count(), 1, 'not exactly one row of the table is the present one');
   return (await row.locator('th, td').allInnerTexts()).map((text) => text.replaceAll(/\s+/g, ' ').trim());
 }
@@ -168,11 +168,11 @@ pageTest('radio buttons can be had by keys, and follow the stage', {}, async (pa
 });
 
 pageTest('phrases in the prose and rows of the table act', {}, async (page) => {
-  await page.getByRole('button', { name: 'open the surface in v' }).click();
+  await page.locator('#blending-surface').getByRole('button', { name: 'Open it', exact: true }).click();
   await check(page, ['closed', 'open']);
-  await page.getByRole('button', { name: 'Close it again' }).click();
+  await page.locator('#blending-surface').getByRole('button', { name: 'Close the surface in v' }).click();
   await check(page, ['closed', 'closed']);
-  await page.getByRole('table').getByRole('button', { name: 'open, open' }).click();
+  await page.locator('#blending-surface .report').getByRole('table').getByRole('button', { name: 'open, open' }).click();
   await check(page, ['open', 'open']);
 });
 
