@@ -1,13 +1,16 @@
+// Cut into the chapter on blending splines.
+#include "knotwork/curve/blending_curve.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 
-#include "knotwork/curve/blending_curve.h"
+#include <doctest/doctest.h>
 
-// A circle of six local curves, one of them turned: at its knot the point stays and the tangent turns with it.
-int main() {
-  using namespace knotwork;
+namespace knotwork::blending_curve_example {
+
+TEST_CASE("example: where a local curve is turned, the point stays and the tangent turns with it") {
   using std::numbers::pi;
   // [turn]
   // The model with its derivatives, each of which is a quarter turn ahead of the one before.
@@ -31,7 +34,8 @@ int main() {
   // [/turn]
   std::array<Eigen::Vector3d, 2> model;
   circle.evaluate(curve.centre(1), model);
-  const bool stays = (at[0] - model[0]).norm() < 1e-13;
-  const bool turns = (at[1] - turn * model[1]).norm() < 1e-13;
-  return stays && turns ? 0 : 1;
+  CHECK((at[0] - model[0]).norm() < 1e-13);
+  CHECK((at[1] - turn * model[1]).norm() < 1e-13);
 }
+
+}  // namespace knotwork::blending_curve_example

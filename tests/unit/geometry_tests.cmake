@@ -50,4 +50,11 @@ set(KNOTWORK_GEOMETRY_TESTS
   property/surface_catalogue_laws_test.cpp
   property/surface_sampling_laws_test.cpp
   unit/curve_fit_test.cpp
+  # Excerpts that the page's chapters show.
+  examples/bezier.cpp
+  examples/blending_curve.cpp
+  examples/blending_surface.cpp
+  examples/bspline.cpp
+  examples/fitting.cpp
+  examples/subdivision.cpp
 )
