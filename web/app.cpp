@@ -62,7 +62,7 @@ App::App() : theme_(make_theme(false)) {
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  document_ = scene::chapters().front().start_document();
+  start_ = document_ = scene::chapters().front().start_document();
   snap();
 }
 
@@ -202,7 +202,7 @@ bool App::enter_scene(const std::string& name) {
   history_.end_gesture();
   forget_gesture();
   const bool first = scene_.empty();  // what the stage starts with becomes the first scene
-  if (!first) left_scenes_[scene_] = {document_, std::move(history_), camera_is_ours_};
+  if (!first) left_scenes_[scene_] = {document_, std::move(start_), std::move(history_), camera_is_ours_};
   scene_ = name;
   if (first) return false;
   interaction_.drawing = false;
@@ -213,6 +213,7 @@ bool App::enter_scene(const std::string& name) {
   const bool known = found != left_scenes_.end();
   if (known) {
     document_ = std::move(found->second.document);
+    start_ = std::move(found->second.start);
     camera_is_ours_ = found->second.camera_is_ours;
     snap();
     // The stage may have got another size meanwhile.
@@ -225,6 +226,7 @@ bool App::enter_scene(const std::string& name) {
 }
 
 void App::begin_scene() {
+  start_ = document_;
   history_ = scene::History();
   if (framed_once_) camera_is_ours_ = recompose_ = compose_at_once_ = true;
   notice_.clear();

@@ -76,6 +76,8 @@ class App {
   void select(std::optional<HandleIndex> handle);
 
   const scene::Document& document() const { return document_; }
+  /// What the scene on the stage began with.
+  const scene::Document& start() const { return start_; }
   const scene::History& history() const { return history_; }
   /// Whether it is the blending surface that stands on the stage.
   bool shows_surface() const;
@@ -149,10 +151,10 @@ class App {
   const Picture& picture();
   bool over_interface(glm::dvec2 position) const;
 
-  scene::Document document_;
+  scene::Document document_, start_;
   scene::History history_;
   struct Scene {
-    scene::Document document;
+    scene::Document document, start;
     scene::History history;
     bool camera_is_ours;
   };

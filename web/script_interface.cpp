@@ -273,7 +273,7 @@ std::string answer_chapters() {
 std::string answer_open(App& app, std::string_view chapter) { return answer(app.open_chapter(chapter)); }
 
 std::string answer_measure(const App& app, std::string_view name) {
-  const std::optional<double> value = scene::measure(app.document(), name);
+  const std::optional<double> value = scene::measure(app.document(), app.start(), name);
   return answer(value ? Json(*value) : Json());
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 #include "knotwork/curve/parametric_curve.h"
+#include "knotwork/scene/blending_curve_edits.h"
 #include "knotwork/scene/blending_curve_figure.h"
 #include "knotwork/scene/curve_figure.h"
 #include "knotwork/scene/fit_edits.h"
@@ -154,34 +157,101 @@ Measure knots_ratio(const Document& document) {
   });
 }
 
-/// How many of the locals that are on the stage have an edit of a kind.
-template <class Has>
-Measure edited(const Document& document, Has has) {
-  const auto count = [&](const auto& edits, int locals_u, int locals_v) -> Measure {
-    return static_cast<double>(std::count_if(edits.begin(), edits.end(), [&](const auto& entry) {
-      return entry.first.first < locals_u && entry.first.second < locals_v && has(entry.second);
-    }));
-  };
-  const Shape& shape = stage_shape(document);
-  if (const auto* surface = std::get_if<BlendingSurfaceObject>(&shape))
-    return count(surface->edits, surface->locals_u, surface->locals_v);
-  if (const auto* curve = std::get_if<BlendingCurveObject>(&shape)) return count(curve->edits, curve->locals, 1);
-  return std::nullopt;
-}
-
 constexpr double least_edit = 1e-6;
 
-Measure locals_moved(const Document& document) {
-  return edited(document, [](const PatchEdit& edit) { return edit.translation.norm() > least_edit; });
+/// The control points or data of a shape, row by row.
+struct ShapePoints {
+  std::vector<Eigen::Vector3d> points;
+  std::size_t rows = 1;
+};
+ShapePoints points_of(const Shape& shape) {
+  return visit_first(
+      [](const auto& object) {
+        ShapePoints all;
+        if constexpr (requires { object.points.size(); }) {
+          all.points = object.points;
+        } else if constexpr (requires { object.net.size(); }) {
+          all.rows = object.net.size();
+          for (const auto& row : object.net) all.points.insert(all.points.end(), row.begin(), row.end());
+        }
+        return all;
+      },
+      shape);
 }
-Measure locals_turned(const Document& document) {
-  return edited(document, [](const PatchEdit& edit) {
-    return edit.rotation.angularDistance(Eigen::Quaterniond::Identity()) > least_edit;
+
+Measure points_moved(const Document& document, const Document& start) {
+  const ShapePoints now = points_of(stage_shape(document)), then = points_of(stage_shape(start));
+  if (now.points.empty()) return std::nullopt;
+  if (now.rows != then.rows || now.points.size() != then.points.size()) return static_cast<double>(now.points.size());
+  int moved = 0;
+  for (std::size_t i = 0; i < now.points.size(); ++i)
+    if ((now.points[i] - then.points[i]).norm() > least_edit) ++moved;
+  return moved;
+}
+
+using Edits = std::map<PatchIndex, PatchEdit>;
+
+PatchEdit edit_in(const Edits& edits, PatchIndex local) {
+  const auto found = edits.find(local);
+  return found == edits.end() ? PatchEdit{} : found->second;
+}
+
+/// In what two edits differ.
+enum Difference : unsigned { moved = 1, turned = 2, scaled = 4, any_difference = moved | turned | scaled };
+
+unsigned differences(const PatchEdit& a, const PatchEdit& b) {
+  return ((a.translation - b.translation).norm() > least_edit ? moved : 0U) |
+         (a.rotation.angularDistance(b.rotation) > least_edit ? turned : 0U) |
+         ((a.scale - b.scale).norm() > least_edit ? scaled : 0U);
+}
+
+/// How many of the locals that are on the stage differ in one of these ways from what the other edits make of them.
+Measure locals_differing(const Document& document, const Edits& others, unsigned ways) {
+  const Shape& shape = stage_shape(document);
+  const auto* surface = std::get_if<BlendingSurfaceObject>(&shape);
+  const auto* curve = std::get_if<BlendingCurveObject>(&shape);
+  if (surface == nullptr && curve == nullptr) return std::nullopt;
+  const Edits& edits = *local_edits(shape);
+  const int locals_u = surface ? surface->locals_u : curve->locals, locals_v = surface ? surface->locals_v : 1;
+  int count = 0;
+  for (int i = 0; i < locals_u; ++i)
+    for (int j = 0; j < locals_v; ++j)
+      if ((differences(edit_in(edits, {i, j}), edit_in(others, {i, j})) & ways) != 0) ++count;
+  return count;
+}
+
+Measure locals_changed(const Document& document, const Document& start) {
+  const Edits* edits = local_edits(stage_shape(start));
+  return locals_differing(document, edits ? *edits : Edits{}, any_difference);
+}
+
+Measure model_distance(const Document& document) {
+  const auto* object = std::get_if<BlendingCurveObject>(&stage_shape(document));
+  if (object == nullptr) return std::nullopt;
+  const BlendingCurve curve = build_curve(*object, document.animation);
+  const KnotVector& knots = curve.knots();
+  constexpr int steps = 64;
+  double farthest = 0;
+  for (int i = knots.degree(); i <= knots.last_span(); ++i) {
+    for (int k = 0; k <= steps; ++k) {
+      const double t = std::lerp(knots[i], knots[i + 1], static_cast<double>(k) / steps);
+      farthest = std::max(farthest, (curve(t) - curve.model()(t)).norm());
+    }
+  }
+  return farthest;
+}
+
+int cells_along(const KnotVector& knots) {
+  int cells = 0;
+  for (int i = knots.degree(); i <= knots.last_span(); ++i)
+    if (knots[i + 1] > knots[i]) ++cells;
+  return cells;
+}
+
+Measure cells_count(const Document& document) {
+  return of_surface(document, [](const KnottedSurface& surface) -> Measure {
+    return cells_along(*surface.knots_u) * cells_along(*surface.knots_v);
   });
-}
-Measure locals_scaled(const Document& document) {
-  return edited(document,
-                [](const PatchEdit& edit) { return (edit.scale - Eigen::Vector3d::Ones()).norm() > least_edit; });
 }
 
 /// Between the ends of one direction, at places along the other one.
@@ -233,18 +303,22 @@ Measure subdivision_error(const Document& document) {
 
 }  // namespace
 
-std::optional<double> measure(const Document& document, std::string_view name) {
+std::optional<double> measure(const Document& document, const Document& start, std::string_view name) {
   // Calls, not a table of functions: what stands in a table belongs to the module's first part.
   if (name == "ring.distance") return ring_distance(document);
   if (name == "fit.rms") return of_fit<&LeastSquaresFit::rms>(document);
   if (name == "fit.max") return of_fit<&LeastSquaresFit::maximum>(document);
   if (name == "points.count") return points_count(document);
+  if (name == "points.moved") return points_moved(document, start);
   if (name == "knots.multiplicity") return knots_multiplicity(document);
   if (name == "knots.continuity") return knots_continuity(document);
   if (name == "knots.ratio") return knots_ratio(document);
-  if (name == "locals.moved") return locals_moved(document);
-  if (name == "locals.turned") return locals_turned(document);
-  if (name == "locals.scaled") return locals_scaled(document);
+  if (name == "locals.moved") return locals_differing(document, {}, moved);
+  if (name == "locals.turned") return locals_differing(document, {}, turned);
+  if (name == "locals.scaled") return locals_differing(document, {}, scaled);
+  if (name == "locals.changed") return locals_changed(document, start);
+  if (name == "model.distance") return model_distance(document);
+  if (name == "cells.count") return cells_count(document);
   if (name == "seam.gap") return seam_gap(document);
   if (name == "curve.length") return curve_length(document);
   if (name == "subdivision.error") return subdivision_error(document);
