@@ -14,6 +14,7 @@ set(KNOTWORK_SCENE_TESTS
   unit/curve_sampling_test.cpp
   unit/document_json_test.cpp
   unit/document_schema_test.cpp
+  unit/facts_test.cpp
   unit/fit_edits_test.cpp
   unit/fit_figure_test.cpp
   unit/fitted_grid_test.cpp
