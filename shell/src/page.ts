@@ -173,20 +173,18 @@ export class Page {
     });
   }
 
-  /// Rows that no chapter shows, folded by group at the foot of the page; others for another figure.
+  /// All rows of the figure on the stage, folded by group at the foot of the page.
   private makeSettings(rows: ReadonlyMap<string, Parameter>): void {
     const place = document.querySelector<HTMLElement>('[data-settings]');
     const ids = [...rows.keys()].join(' ');
     if (!place || ids === this.settingsFor) return;
     this.settingsFor = ids;
-    const shown = new Set(this.controls.map((control) => control.id));
     const open = new Set([...place.querySelectorAll('details[open] > summary')].map((summary) => summary.textContent));
     const groups = new Map<string, HTMLElement>();
     this.settings = [];
     place.replaceChildren();
     place.append(this.points.element);
     for (const row of rows.values()) {
-      if (shown.has(row.id)) continue;
       let group = groups.get(row.group);
       if (!group) {
         const details = element('details', '');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
   assertRefused, call, clickWidget, distance, distinctColours, documentOf, drag, frameDrawn, handleAt,
-  handlesOf, picture, plus, settled, widget,
+  handlesOf, picture, plus, settled, until, widget,
 } from './stage.mjs';
 
 async function opened(page, chapter) {

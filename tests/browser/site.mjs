@@ -124,16 +124,9 @@ async function loadLean(page, surface) {
   }, surface);
 }
 
-/// Keeps what is on the stage there while a test scrolls the page, which it brings to its beginning.
-async function stay(page) {
-  await page.evaluate(() => {
-    window.knotwork.load(window.knotwork.document());
-    window.scrollTo({ top: 0, behavior: 'instant' });
-  });
-}
-
-/// The page is opened at the chapter on blending surfaces, whose first figure stands still.
-/// Options: followed: at its beginning instead, whose figure breathes; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
+/// What a script opens stays on the stage while a test scrolls the page; and it stands still, which the first figure
+/// does not.
+/// Options: followed: the stage goes with the reader instead; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
 /// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
 /// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page): runs
 /// before the page is opened; expected: patterns of complaints that are provoked.
@@ -156,11 +149,11 @@ export async function openPage(options = {}) {
   const complaints = [];
   watch(page, new URL(address).origin, complaints);
   await options.before?.(page);
-  await page.goto(options.followed ? address : `${address}#blending-surface`);
+  await page.goto(address);
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);
-    if (!options.followed) await stay(page);
+    if (!options.followed) await page.evaluate(() => window.knotwork.open('blending-surface'));
     if (!options.full) await loadLean(page, options.drawn ?? false);
   }
   return {

@@ -47,23 +47,18 @@ export async function shownFigure(page) {
 /// Resolves when the stage has come to rest: the page's own transitions have ended, some animation frames have gone by,
 /// and none of them was drawn.
 export async function settled(page) {
-  await page.evaluate(() =>
-    Promise.allSettled(
-      document
-        .getAnimations()
-        .filter((animation) => Number.isFinite(animation.effect.getComputedTiming().endTime))
-        .map((animation) => animation.finished),
-    ).then(() => undefined),
-  );
   await page.evaluate(
     () =>
       new Promise((resolve, reject) => {
         const end = performance.now() + 40000;
         let frames = -1;
         let quiet = 0;
+        // Asked in every frame: a transition out of sight may be told finished only when there is a frame again.
+        const moves = ({ playState, effect }) =>
+          playState === 'running' && Number.isFinite(effect.getComputedTiming().endTime);
         const look = () => {
           const now = window.knotwork.stats().frames;
-          quiet = now === frames ? quiet + 1 : 0;
+          quiet = now === frames && !document.getAnimations().some(moves) ? quiet + 1 : 0;
           frames = now;
           if (quiet >= 6) resolve();
           else if (performance.now() > end) reject(new Error('the stage does not come to rest'));
