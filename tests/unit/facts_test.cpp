@@ -214,6 +214,7 @@ double net_weight() {
 /// The least (sign -1) or greatest (1) radius of the closed cubic B-spline on a hexagon of radius 1.
 double hexagon_radius(double sign) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(6);
   for (int k = 0; k < 6; ++k) points.emplace_back(std::cos(k * pi / 3), std::sin(k * pi / 3), 0);
   const KnotVector knots = KnotVector::uniform(3, 6, Topology::closed, 0, 6).value();
   const BSplineCurve curve = BSplineCurve::make(knots, points).value();

@@ -40,7 +40,7 @@ TEST_CASE("the ring's distance is that of the nearest point; of several rings th
   const auto& points = std::get_if<BezierCurveObject>(&stage_shape(document))->points;
   document.display.rings = {points.front()};
   CHECK(measured(document, "ring.distance") < 1e-14);
-  document.display.rings.push_back(points.back() + Eigen::Vector3d(0, 0, 2));
+  document.display.rings.emplace_back(points.back() + Eigen::Vector3d(0, 0, 2));
   CHECK(measured(document, "ring.distance") == doctest::Approx(2).epsilon(1e-12));
 
   // A torus of radii 1 and 0.4, its axis along z.
@@ -89,7 +89,7 @@ TEST_CASE("points that are elsewhere than at the start; all of them when there a
   points[1].x() += 1e-7;
   points[2].y() -= 0.5;
   CHECK(measured(document, start, "points.moved") == 1);
-  points.push_back({7, 0, 0});
+  points.emplace_back(7, 0, 0);
   CHECK(measured(document, start, "points.moved") == 5);
 
   const Document net_start = start_of("tensor-surface");
