@@ -175,7 +175,16 @@ pageTest('a finger on the prose scrolls the page and leaves the stage alone', ph
   const seen = await picture(page);
   const { sweep } = await fingers(page);
   await sweep([[150, 700]], [[150, 500]], 20);
-  await page.waitForFunction(() => scrollY > 60);
+  // Until the page has run out, too.
+  await page.waitForFunction(
+    () => {
+      const [last, now] = [window.lastScroll, scrollY];
+      window.lastScroll = now;
+      return now > 60 && now === last;
+    },
+    null,
+    { polling: 150 },
+  );
   await settled(page);
   assert.deepEqual(await documentOf(page), before);
   assert.ok(difference(seen, await picture(page)) < 0.002, 'the stage has moved on the screen');

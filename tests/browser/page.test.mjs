@@ -243,6 +243,7 @@ for (const [what, path] of [['module', moduleFile], ['typeface', /\.ttf$/]])
       await page.unroute(path);
       await alert.getByRole('button').click();
       await page.evaluate(() => window.knotwork.ready);
+      await call(page, 'pause');
       await settled(page);
       assert.equal(await alert.isVisible(), false);
       assert.ok((await handlesOf(page)).length > 0);

@@ -7,6 +7,7 @@ import { dirname, extname, join, normalize, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { serve } from '../../shell/scripts/static.mjs';
+import { settled } from './stage.mjs';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const siteFolder = join(repository, 'shell/dist');
@@ -125,7 +126,12 @@ async function loadLean(page, surface) {
 }
 
 /// What a script opens stays on the stage while a test scrolls the page; and it stands still, which the first figure
-/// does not.
+/// does not. That it comes into view belongs to the opening.
+async function openStill(page) {
+  await page.evaluate(() => window.knotwork.open('blending-surface'));
+  await settled(page);
+}
+
 /// Options: followed: the stage goes with the reader instead; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
 /// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
 /// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page): runs
@@ -153,7 +159,7 @@ export async function openPage(options = {}) {
   if (options.wait ?? true) {
     await page.waitForFunction(() => window.knotwork);
     await page.evaluate(() => window.knotwork.ready);
-    if (!options.followed) await page.evaluate(() => window.knotwork.open('blending-surface'));
+    if (!options.followed) await openStill(page);
     if (!options.full) await loadLean(page, options.drawn ?? false);
   }
   return {
