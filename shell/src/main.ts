@@ -18,11 +18,15 @@ import { Stage } from './stage';
 const canvas = document.getElementById('canvas') as HTMLCanvasElement;
 let stage: Stage | null = null;
 let page: Page | null = null;
+let pinned = false;  ///< a script has put something of its own on the stage, before there was a page to tell
 
 const api = new ScriptInterface(
   canvas,
   () => page?.update(),
-  () => page?.scenes.pin(),
+  () => {
+    pinned = true;
+    page?.scenes.pin();
+  },
 );
 const contents = document.getElementById('contents') as HTMLDetailsElement;
 followSections([...document.querySelectorAll<HTMLElement>('.marks')], contents);
@@ -52,16 +56,17 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
   }
   bridge.font(fonts[0], 400);
   bridge.font(fonts[1], 600);
-  page = new Page(bridge, canvas);
   stage = new Stage(canvas, bridge, (now) => page?.sync(now), (error) => fail('failed', error));
   listen(canvas, bridge);
   listenToPaste(canvas, bridge, () => page?.update());
   api.attach(bridge);
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
-  // The size's observer has drawn the first frame by then.
+  // The size's observer has drawn the first frame by then: what the page does with it need not keep it waiting.
   requestAnimationFrame(() =>
     requestAnimationFrame(() => {
+      page = new Page(bridge, canvas);
+      if (pinned) page.scenes.pin();
       // Not over a message that has come up since.
       if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
       // Who waits for the page to be ready may ask for anything; the figure is alive before.
