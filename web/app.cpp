@@ -199,12 +199,15 @@ Status App::open_chapter(std::string_view id) {
 
 bool App::enter_scene(const std::string& name) {
   if (name == scene_) return true;
+  if (scene_.empty()) {  // what the stage starts with becomes the first scene, in whatever hand it is
+    scene_ = name;
+    return false;
+  }
   history_.end_gesture();
   forget_gesture();
-  const bool first = scene_.empty();  // what the stage starts with becomes the first scene
-  if (!first) left_scenes_[scene_] = {document_, std::move(start_), std::move(history_), camera_is_ours_};
+  left_scenes_[scene_] = {document_, std::move(start_), std::move(history_), camera_is_ours_};
   scene_ = name;
-  if (first) return false;
+  start_ = document_;
   interaction_.drawing = false;
   interaction_.selected.reset();
   interaction_.probe.reset();

@@ -154,7 +154,7 @@ function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {
   };
 }
 
-/// What is shown on the stage when the reader comes by, its picture where there is no stage, and its tools.
+/// What is shown on the stage when the reader comes by, and its tools.
 function figure(words: string[], figures: FigureSource[]): FigureSource {
   const [id = '', start = '', values = ''] = words;
   if (!id || !start) throw new Error('a figure has a name and a start document');
@@ -203,8 +203,8 @@ function block(
     case 'figure': {
       const source = figure(words, figures);
       return [
-        `<figure class="figure" ${figureData(source)}><figcaption>`,
-        `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}</p></figcaption></figure>`,
+        `<figure class="figure" ${figureData(source)}><figcaption><div id="caption-${source.id}">`,
+        `</div><p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}</p></figcaption></figure>`,
       ];
     }
     case 'code': {
@@ -221,10 +221,11 @@ function block(
       parseGoal(keyed.get('goal text') ?? '');
       return [
         `<section class="exercise" ${figureData(source)} data-goal="${escaped(keyed.get('goal text') ?? '')}"` +
-          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise</h3>`,
-        `<details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
+          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise</h3>` +
+          `<div id="caption-${source.id}">`,
+        `</div><details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
           `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}` +
-          `<span class="exercise-state" role="status"></span></p>` +
+          `<span class="exercise-state"></span></p>` +
           `<p class="exercise-done" hidden>${part('done')}</p></section>`,
       ];
     }

@@ -6,15 +6,15 @@ export class ScriptInterface {
   private bridge: Bridge | null = null;
   private readonly canvas: HTMLCanvasElement;
   private readonly changed: () => void;
-  private readonly pin: () => void;
+  private readonly own: (command: () => void) => void;
   private resolve!: () => void;
   private reject!: (reason: Error) => void;
 
-  /// `pin`: a script has put something of its own on the stage.
-  constructor(canvas: HTMLCanvasElement, changed: () => void, pin: () => void) {
+  /// `own`: runs a command that puts something of the script's own on the stage.
+  constructor(canvas: HTMLCanvasElement, changed: () => void, own: (command: () => void) => void) {
     this.canvas = canvas;
     this.changed = changed;
-    this.pin = pin;
+    this.own = own;
     const ready = new Promise<void>((resolve, reject) => {
       this.resolve = resolve;
       this.reject = reject;
@@ -41,10 +41,7 @@ export class ScriptInterface {
       this.changed();
     };
     const put = (command: (bridge: Bridge) => void): void =>
-      change((bridge) => {
-        command(bridge);
-        this.pin();
-      });
+      change((bridge) => this.own(() => command(bridge)));
     const corner = (): DOMRect => this.canvas.getBoundingClientRect();
     return {
       ready,

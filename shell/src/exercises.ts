@@ -57,7 +57,8 @@ export class Exercises {
     for (const { figure, state, done } of this.rows) {
       const solved = this.solved.has(figure.id);
       figure.element.toggleAttribute('data-solved', solved);
-      state.textContent = solved ? 'Solved' : '';
+      const words = solved ? 'Solved' : '';
+      if (state.textContent !== words) state.textContent = words;
       done.hidden = !solved;
     }
     if (this.forgetButton) this.forgetButton.hidden = this.solved.size === 0;

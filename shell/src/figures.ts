@@ -18,8 +18,10 @@ export class FigureTools {
       const again = figure.element.querySelector<HTMLButtonElement>('[data-again]');
       if (!show || !again) continue;
       show.addEventListener('click', () => void scenes.show(figure).catch(failed));
-      again.addEventListener('click', () => void scenes.again(figure).catch(failed));
-      show.disabled = false;
+      again.addEventListener('click', () => {
+        if (again.ariaDisabled === 'false') void scenes.again(figure).catch(failed);
+      });
+      show.disabled = again.disabled = false;
       this.rows.push({ figure, show, again });
     }
   }
@@ -28,14 +30,14 @@ export class FigureTools {
     const { shown } = this.scenes;
     if (shown !== this.described) {
       this.described = shown;
-      this.canvas.setAttribute('aria-describedby', `${shown ? `${shown.element.id} ` : ''}${this.keys}`);
+      this.canvas.setAttribute('aria-describedby', `${shown ? `caption-${shown.id} ` : ''}${this.keys}`);
     }
     for (const { figure, show, again } of this.rows) {
       const here = figure === shown;
       figure.element.toggleAttribute('data-shown', here);
       show.textContent = here ? 'On the stage' : 'Show on the stage';
       show.ariaDisabled = String(here);
-      again.disabled = !here || !canUndo;
+      again.ariaDisabled = String(!here || !canUndo);  // disabled, it would lose the focus
     }
   }
 }

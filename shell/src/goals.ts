@@ -1,5 +1,5 @@
 /// When an exercise is solved: comparisons joined by `and`, as `fit.rms < 0.02 and fitted.count <= 7`. A name is that of
-/// a parameter or of a measure (see measures.ts).
+/// a parameter or of a measure (core/knotwork/scene/measures.h).
 
 export type Value = number | string | boolean;
 

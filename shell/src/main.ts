@@ -23,9 +23,10 @@ let pinned = false;  ///< a script has put something of its own on the stage, be
 const api = new ScriptInterface(
   canvas,
   () => page?.update(),
-  () => {
+  (command) => {
+    if (page) return page.scenes.own(command);
+    command();
     pinned = true;
-    page?.scenes.pin();
   },
 );
 const contents = document.getElementById('contents') as HTMLDetailsElement;

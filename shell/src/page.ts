@@ -40,8 +40,9 @@ export class Page {
     };
 
     const figures = readFigures(document);
-    this.scenes = new Scenes(bridge, figures, () => this.update());
-    this.figureTools = new FigureTools(figures, this.scenes, canvas, (failed) => this.refuse(failed));
+    const failed = (error: unknown): void => this.refuse(error);
+    this.scenes = new Scenes(bridge, figures, () => this.update(), failed);
+    this.figureTools = new FigureTools(figures, this.scenes, canvas, failed);
     this.exercises = new Exercises(figures, this.scenes, bridge, (words) => this.announce(words));
     this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
@@ -122,16 +123,23 @@ export class Page {
 
   /// Does what a phrase says to the figure that it is about, which may have made room for another one.
   private async act(action: Action, figure: Figure | null): Promise<void> {
-    const { shown } = this.scenes;
-    const other = shown ? shown !== figure : !applies(action, this.rows());
-    try {
-      if (figure && other && action.kind !== 'open') await this.scenes.show(figure);
-      if (action.kind === 'open') this.scenes.pin();
-    } catch (error) {
-      this.refuse(error);
+    const perform = (): void => this.attemptAsOne(() => run(action, this.bridge));
+    if (action.kind === 'open') {
+      this.scenes.own(perform);
+      this.update();
       return;
     }
-    this.attemptAsOne(() => run(action, this.bridge));
+    const { shown } = this.scenes;
+    const other = shown ? shown !== figure : !applies(action, this.rows());
+    if (figure && other) {
+      try {
+        await this.scenes.show(figure);
+      } catch (error) {
+        this.refuse(error);
+      }
+      if (this.scenes.shown !== figure) return;  // the reader has gone on meanwhile
+    }
+    perform();
   }
 
   private refuse(error: unknown): void {

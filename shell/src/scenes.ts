@@ -6,24 +6,14 @@ import { readingLine } from './sections';
 export interface Figure {
   id: string;
   element: HTMLElement;
-  /// Where it comes to the stage: a chapter's first figure with the chapter.
-  from: Element;
   start: string;
   values: [id: string, value: Value][];
 }
 
 export function readFigures(root: ParentNode): Figure[] {
-  const begun = new Set<Element>();
-  const from = (element: Element): Element => {
-    const chapter = element.closest('[data-chapter]');
-    if (!chapter || begun.has(chapter)) return element;
-    begun.add(chapter);
-    return chapter;
-  };
   return [...root.querySelectorAll<HTMLElement>('[data-figure]')].map((element) => ({
     id: element.dataset['figure']!,
     element,
-    from: from(element),
     start: element.dataset['start']!,
     values: [...new URLSearchParams(element.dataset['values'])].map(([id, value]) => [id, parseValue(value)]),
   }));
@@ -31,32 +21,45 @@ export function readFigures(root: ParentNode): Figure[] {
 
 const documents = import.meta.glob<string>('../scenes/*.json', { query: '?raw', import: 'default' });
 
-/// One stage serves all figures: it shows the one that is being read, as the reader has left it. A script or a document
-/// of the reader's own pins the stage, until a figure is asked for.
+/// The scene of what is no figure of the page.
+const ownScene = 'own';
+
+/// One stage serves all figures: it shows the one that is being read, as the reader has left it. What a script or the
+/// reader puts there has a scene of its own and stays, until a figure is asked for or read anew.
 export class Scenes {
   private current: Figure | null = null;
   private wanted: Figure | null = null;
+  private read: Figure | null = null;
   private pinned = false;
-  private following = false;
+  private readonly begun = new Set<Figure>();
+  private readonly chapters: readonly { article: Element; figures: readonly Figure[] }[];
   private readonly figures: readonly Figure[];
   private readonly bridge: Bridge;
   private readonly changed: () => void;
+  private readonly failed: (error: unknown) => void;
 
-  constructor(bridge: Bridge, figures: readonly Figure[], changed: () => void) {
+  constructor(bridge: Bridge, figures: readonly Figure[], changed: () => void, failed: (error: unknown) => void) {
     this.bridge = bridge;
     this.figures = figures;
     this.changed = changed;
+    this.failed = failed;
+    const articles = new Set(figures.map(({ element }) => element.closest('[data-chapter]')));
+    this.chapters = [...articles].flatMap((article) =>
+      article ? [{ article, figures: figures.filter(({ element }) => article.contains(element)) }] : [],
+    );
   }
 
   /// From now on the stage goes with the reader.
   follow(): void {
-    this.following = true;
-    if (!this.pinned && this.figures[0]) this.adopt(this.figures[0]);
+    if (!this.pinned && !this.wanted && this.figures[0]) this.adopt(this.figures[0]);
     let scheduled = false;
     const look = (): void => {
       scheduled = false;
       const figure = this.beingRead();
-      if (figure && !this.pinned) void this.enter(figure);
+      // Only what comes to be read: what the reader has asked for stays while the page moves a little.
+      if (!figure || figure === this.read || this.pinned) return;
+      this.read = figure;
+      this.enter(figure).catch(this.failed);
     };
     const schedule = (): void => {
       if (scheduled) return;
@@ -68,18 +71,36 @@ export class Scenes {
     look();
   }
 
+  /// Puts something on the stage that is no figure of the page, and stays.
+  own(command: () => void): void {
+    if (this.pinned) {
+      command();
+      return;
+    }
+    const before = this.current;
+    this.bridge.enter(ownScene);
+    try {
+      command();
+    } catch (error) {
+      if (before) this.bridge.enter(before.id);
+      throw error;
+    }
+    this.pin();
+  }
+
+  /// What is on the stage is a script's, which came before the page.
   pin(): void {
     this.pinned = true;
+    this.current = this.wanted = null;
   }
 
   get shown(): Figure | null {
-    return this.pinned ? null : this.current;
+    return this.current;
   }
 
   /// The figure that something in the prose is about: the last one before it in its chapter, or the chapter's first.
   about(element: Element): Figure | null {
-    const chapter = element.closest('[data-chapter]');
-    const own = this.figures.filter((figure) => chapter?.contains(figure.element));
+    const own = this.chapters.find(({ article }) => article.contains(element))?.figures ?? [];
     const before = own.filter(
       ({ element: other }) =>
         other.contains(element) || other.compareDocumentPosition(element) & Node.DOCUMENT_POSITION_FOLLOWING,
@@ -94,35 +115,8 @@ export class Scenes {
   }
 
   /// As the chapter has it; undone by one step.
-  again(figure: Figure): Promise<void> {
-    if (figure !== this.current || this.pinned) return this.show(figure).then(() => this.begin(figure));
-    return this.begin(figure);
-  }
-
-  /// What the stage starts with is the first figure, which a quick reader may have taken in hand already.
-  private adopt(figure: Figure): void {
-    this.current = figure;
-    this.bridge.enter(figure.id);
-    if (this.bridge.state().canUndo) return;
-    this.set(figure);
-    this.bridge.begin();
-    this.changed();
-  }
-
-  private async enter(figure: Figure): Promise<void> {
-    this.wanted = figure;
-    if (figure === this.current && !this.pinned) return;
-    const document = await this.documentOf(figure);
-    if (figure !== this.wanted || (this.following && this.pinned)) return;  // the reader has gone on meanwhile
-    this.current = figure;
-    if (!this.bridge.enter(figure.id)) {
-      this.load(figure, document);
-      this.bridge.begin();
-    }
-    this.changed();
-  }
-
-  private async begin(figure: Figure): Promise<void> {
+  async again(figure: Figure): Promise<void> {
+    await this.show(figure);
     const document = await this.documentOf(figure);
     if (figure !== this.current) return;
     this.bridge.gesture(true);
@@ -131,6 +125,39 @@ export class Scenes {
     } finally {
       this.bridge.gesture(false);
     }
+    this.changed();
+  }
+
+  /// What the stage starts with is the first figure, which a quick reader may have taken in hand already.
+  private adopt(figure: Figure): void {
+    this.current = figure;
+    this.begun.add(figure);
+    this.bridge.enter(figure.id);
+    if (!this.bridge.state().canUndo) {
+      this.set(figure);
+      this.bridge.begin();
+    }
+    this.changed();
+  }
+
+  private async enter(figure: Figure): Promise<void> {
+    this.wanted = figure;
+    if (figure === this.current) return;
+    const document = await this.documentOf(figure);
+    if (figure !== this.wanted) return;  // the reader has gone on meanwhile, or a script has come
+    const before = this.current;
+    // One that could not be begun the last time holds what was there before it.
+    if (!this.bridge.enter(figure.id) || !this.begun.has(figure)) {
+      try {
+        this.load(figure, document);
+      } catch (error) {
+        if (before) this.bridge.enter(before.id);
+        throw error;
+      }
+      this.bridge.begin();
+      this.begun.add(figure);
+    }
+    this.current = figure;
     this.changed();
   }
 
@@ -152,14 +179,13 @@ export class Scenes {
     return figure.start === 'file' ? documents[`../scenes/${figure.id}.json`]!() : null;
   }
 
-  /// The last one whose head has come to the reading line, in the prose's order.
+  /// The last figure whose head has come to the reading line, in the chapter that is read. What is laid out only when it is
+  /// near (style/prose.css) tells its place only there.
   private beingRead(): Figure | null {
     const line = readingLine();
-    let found: Figure | null = null;
-    for (const figure of this.figures) {
-      if (figure.from.getBoundingClientRect().top > line) break;
-      found = figure;
-    }
-    return found ?? this.figures[0] ?? null;
+    const passed = (place: Element): boolean => place.getBoundingClientRect().top <= line;
+    const chapter = this.chapters.filter(({ article }) => passed(article)).at(-1) ?? this.chapters[0];
+    if (!chapter) return null;
+    return chapter.figures.filter(({ element }) => passed(element)).at(-1) ?? chapter.figures[0] ?? null;
   }
 }

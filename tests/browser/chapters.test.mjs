@@ -102,7 +102,7 @@ pageTest('the stage goes with the reader, and what was done to a figure is there
   await scrollTo(page, '#figure-circle-six');
   await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'circle-six');
   assert.notEqual((await documentOf(page)).objects[0].kind, edited.objects[0].kind);
-  assert.match(await page.locator('canvas').getAttribute('aria-describedby'), /^figure-circle-six /);
+  assert.match(await page.locator('canvas').getAttribute('aria-describedby'), /^caption-circle-six /);
   await scrollTo(page, '#figure-de-casteljau');
   await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'de-casteljau');
   assert.deepEqual((await documentOf(page)).objects, edited.objects);
@@ -114,12 +114,23 @@ pageTest('the stage goes with the reader, and what was done to a figure is there
   await call(page, 'redo');
   await page.locator('#figure-de-casteljau [data-again]').click();
   assert.deepEqual((await documentOf(page)).objects, undone.objects);
-  assert.notEqual(start, 'de-casteljau');
+  assert.equal(start, 'hold-it');
 });
 
 pageTest('what a script puts on the stage stays there until a figure is asked for', whole, async (page) => {
+  const first = await documentOf(page);
   await call(page, 'open', 'tensor-surface');
+  await settled(page);
   const own = await documentOf(page);
+  assert.equal(await shownFigure(page), null);
+  // The figure that had to give way is what it was.
+  await page.locator('#figure-hold-it [data-show]').click();
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'hold-it');
+  assert.deepEqual((await documentOf(page)).objects, first.objects);
+  assert.match(await nextUndo(page), /true/);
+  await assert.rejects(call(page, 'load', { nonsense: true }));
+  assert.equal(await shownFigure(page), 'hold-it');
+  await call(page, 'load', own);
   await scrollTo(page, '#figure-circle-six');
   await settled(page);
   assert.deepEqual((await documentOf(page)).objects, own.objects);
