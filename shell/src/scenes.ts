@@ -179,8 +179,7 @@ export class Scenes {
     return figure.start === 'file' ? documents[`../scenes/${figure.id}.json`]!() : null;
   }
 
-  /// The last figure whose head has come to the reading line, in the chapter that is read. What is laid out only when it is
-  /// near (style/prose.css) tells its place only there.
+  /// The last figure whose head has come to the reading line, in the chapter that is read.
   private beingRead(): Figure | null {
     const line = readingLine();
     const passed = (place: Element): boolean => place.getBoundingClientRect().top <= line;
