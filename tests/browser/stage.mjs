@@ -104,19 +104,18 @@ export async function record(page, act) {
   return page.evaluate(() => window.recording);
 }
 
-/// How many different values a recording has of something, for how long it was changing, and the longest frame then.
+/// How many different values a recording has of something, for how long it was changing, and the longest frame then. A
+/// row may tell of the frame before it, so that the frame in which the change began, before the first row that differs,
+/// counts among them.
 export function course(recording, read) {
   const values = recording.map((row) => JSON.stringify(read(row)));
   const changes = values.map((value, k) => k > 0 && value !== values[k - 1]);
   const first = changes.indexOf(true);
   const last = changes.lastIndexOf(true);
   if (first < 0) return { stages: 0, ms: 0, slowest: 0 };
-  const changing = recording.slice(first - 1, last + 1).map((row) => row.at);
-  return {
-    stages: changes.filter(Boolean).length,
-    ms: changing.at(-1) - changing[0],
-    slowest: Math.max(...changing.slice(1).map((at, k) => at - changing[k])),
-  };
+  const times = recording.map((row) => row.at);
+  const frames = times.map((at, k) => at - times[Math.max(0, k - 1)]).slice(first - 1, last + 1);
+  return { stages: changes.filter(Boolean).length, ms: times[last] - times[first - 1], slowest: Math.max(...frames) };
 }
 
 export async function until(page, condition, argument) {
