@@ -1,11 +1,23 @@
-// Keeps the text out of sight until its typefaces are here, a second at most: read in another face first, it would move
-// under the reader's eyes.
+// Runs before the first picture of the page, while its text still arrives.
 {
   const root = document.documentElement;
-  const faces = Promise.all([...document.fonts].map((face) => face.load()));
-  const patience = new Promise((resolve) => setTimeout(resolve, 1000));
+
+  // The text stays out of sight until its typefaces are here, a second at most: read in another face first, it would move
+  // under the reader's eyes. Which faces there are is known with the styles.
   root.classList.add('arriving');
+  const sheets = [...document.querySelectorAll('link[rel=stylesheet]')].filter((link) => !link.sheet);
+  const styles = sheets.map((link) => new Promise((done) => ['load', 'error'].forEach((end) => link.addEventListener(end, done))));
+  const faces = Promise.all(styles).then(() => Promise.all([...document.fonts].map((face) => face.load())));
+  const patience = new Promise((resolve) => setTimeout(resolve, 1000));
   Promise.race([faces, patience])
     .catch(() => {})
     .then(() => root.classList.remove('arriving'));
+
+  // Chapters far below are laid out after the figure's first picture (src/main.ts), or it would wait for them. Who comes
+  // by a link into the page, or back to a place in it, gets it whole.
+  const [entry] = performance.getEntriesByType('navigation');
+  if (!location.hash && entry?.type === 'navigate') {
+    root.classList.add('early');
+    setTimeout(() => root.classList.remove('early'), 3000);
+  }
 }

@@ -93,18 +93,17 @@ export function head(options: PageOptions): Plugin {
         const preload = (file: string, attributes: Record<string, string | boolean>): void => {
           tags.push({ tag: 'link', attrs: { href: `./${file}`, ...attributes }, injectTo: 'head' });
         };
-        for (const [file, output] of Object.entries(context.bundle ?? {})) {
-          if (/\/knotwork-[\w-]+\.wasm$/.test(file)) preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
-          // All that the first screen shows, or its text would move when a face comes late.
-          if (/\/(serif|serif-italic|katex-Main-Regular|katex-Math-Italic|stage-400|stage-600)-[\w-]+\.(woff2|ttf)$/.test(file)) {
+        const files = Object.keys(context.bundle ?? {});
+        // In the order of their lines. The module is the longest to arrive and the figure waits for it; then come the
+        // faces that the first screen shows, or its text would move when one comes late.
+        for (const file of files.filter((name) => /\/knotwork-[\w-]+\.wasm$/.test(name)))
+          preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
+        for (const file of files.filter((name) => /\/knotwork-[\w-]+\.js$/.test(name)))
+          preload(file, { rel: 'modulepreload', crossorigin: true });
+        for (const face of ['stage-400', 'stage-600', 'serif', 'serif-italic', 'katex-Main-Regular', 'katex-Math-Italic'])
+          for (const file of files.filter((name) => new RegExp(`/${face}-[\\w-]{8}\\.(woff2|ttf)$`).test(name)))
             preload(file, { rel: 'preload', as: 'font', type: `font/${file.split('.').at(-1)}`, crossorigin: true });
-          }
-          if (output.type === 'chunk' && !output.isEntry) preload(file, { rel: 'modulepreload', crossorigin: true });
-        }
         const meta = `<meta http-equiv="Content-Security-Policy" content="${options.policy}">`;
-        // Small and seen first comes first.
-        const order = ['font', undefined, 'fetch'];
-        tags.sort((a, b) => order.indexOf(a.attrs!['as'] as string) - order.indexOf(b.attrs!['as'] as string));
         return { html: html.replace(/(<meta charset="[^"]*">)/, `$1\n    ${meta}`), tags };
       },
     },

@@ -15,6 +15,13 @@ import type { SecondPart } from './second_part';
 import { followSections, makeContents } from './sections';
 import { Stage } from './stage';
 
+// This script runs as soon as it has come: the figure does not wait for the end of the text.
+const parsed = new Promise<void>((resolve) => {
+  if (document.readyState !== 'loading') resolve();
+  else addEventListener('DOMContentLoaded', () => resolve(), { once: true });
+});
+if (!document.getElementById('prose')) await parsed;  // it comes right after the stage
+
 const canvas = document.getElementById('canvas') as HTMLCanvasElement;
 let stage: Stage | null = null;
 let page: Page | null = null;
@@ -29,9 +36,11 @@ const api = new ScriptInterface(
     pinned = true;
   },
 );
-const contents = document.getElementById('contents') as HTMLDetailsElement;
-followSections([...document.querySelectorAll<HTMLElement>('.marks')], contents);
-makeContents(contents);
+void parsed.then(() => {
+  const contents = document.getElementById('contents') as HTMLDetailsElement;
+  followSections([...document.querySelectorAll<HTMLElement>('.marks')], contents);
+  makeContents(contents);
+});
 void begin();
 
 async function begin(): Promise<void> {
@@ -64,26 +73,28 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
   // The size's observer has drawn the first frame by then: what the page does with it need not keep it waiting.
-  requestAnimationFrame(() =>
-    requestAnimationFrame(() => {
-      page = new Page(bridge, canvas);
-      if (pinned) page.scenes.pin();
-      // Not over a message that has come up since.
-      if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
-      // Who waits for the page to be ready may ask for anything; the figure is alive before.
-      void second
-        .fetch()
-        .then(() => {
-          bridge.complete();
-          page?.scenes.follow();
-        }, console.warn)
-        .finally(() => api.settle());
-    }),
-  );
+  requestAnimationFrame(() => requestAnimationFrame(() => void parsed.then(() => makePage(bridge, second))));
+}
+
+function makePage(bridge: Bridge, second: SecondPart): void {
+  document.documentElement.classList.remove('early');
+  page = new Page(bridge, canvas);
+  if (pinned) page.scenes.pin();
+  // Not over a message that has come up since.
+  if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
+  // Who waits for the page to be ready may ask for anything; the figure is alive before.
+  void second
+    .fetch()
+    .then(() => {
+      bridge.complete();
+      page?.scenes.follow();
+    }, console.warn)
+    .finally(() => api.settle());
 }
 
 /// A download can be tried again in place; a script that failed to load stays failed until the page is loaded anew.
 function fail(trouble: Trouble, error: unknown): void {
+  document.documentElement.classList.remove('early');
   if (trouble === 'failed') console.error(error);
   else console.warn(error);
   showTrouble(trouble, trouble === 'download' ? () => void begin() : reload);

@@ -117,6 +117,20 @@ pageTest('the stage goes with the reader, and what was done to a figure is there
   assert.equal(start, 'hold-it');
 });
 
+pageTest('a link into a far chapter leads there, and the page does not move on', whole, async (page) => {
+  const address = page.url();
+  await page.goto('about:blank');
+  await page.goto(`${address}#figure-circle-six`);
+  const place = () => page.locator('#figure-circle-six').evaluate((element) => element.getBoundingClientRect().top);
+  await page.waitForFunction(() => !document.documentElement.classList.contains('arriving'));
+  const arrived = await place();
+  assert.ok(arrived >= 0 && arrived < 400, `the figure is at ${arrived}`);
+  await page.evaluate(() => window.knotwork.ready);
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'circle-six');
+  await settled(page);
+  assert.equal(await place(), arrived);
+});
+
 pageTest('what a script puts on the stage stays there until a figure is asked for', whole, async (page) => {
   const first = await documentOf(page);
   await call(page, 'open', 'tensor-surface');

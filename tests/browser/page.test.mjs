@@ -183,6 +183,10 @@ pageTest(
     let requests = 0;
     page.on('request', (request) => (requests += secondPart.test(request.url()) ? 1 : 0));
     await drawn(page);
+    const asked = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+    const scripts = asked.filter((name) => name.endsWith('.js')).map((name) => name.split('/').at(-1));
+    assert.deepEqual(scripts.map((name) => name.split(/[-.]/)[0]).sort(), ['arriving', 'index', 'knotwork'],
+      'the first figure has waited for scripts of others');
     await settled(page);
     const start = await documentOf(page);
     const handle = await frontHandle(page);
