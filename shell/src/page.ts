@@ -1,6 +1,7 @@
 import { applies, fulfilled, parseAction, run, type Action } from './actions';
 import type { Bridge } from './bridge';
 import { element, makeControl, type Control, type Setter } from './controls';
+import { describe } from './description';
 import { Exercises } from './exercises';
 import { FigureTools } from './figures';
 import { HistoryControls } from './history';
@@ -26,6 +27,7 @@ export class Page {
   private readonly points: PointsField;
   private readonly history: HistoryControls;
   private readonly notice = document.getElementById('notice')!;
+  private readonly description = document.getElementById('stage-state')!;
   private readonly bridge: Bridge;
   private revision = -1;
   private lastNotice = '';
@@ -112,6 +114,8 @@ export class Page {
     if (state.surface) for (const table of this.tables) table.update(state.surface, rows);
     for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
+    const description = describe(rows, state.selected);
+    if (this.description.textContent !== description) this.description.textContent = description;
     if (state.notice !== this.lastNotice) this.announce(state.notice);
     this.lastNotice = state.notice;
     this.exercises.update(rows);  // what it says is said last

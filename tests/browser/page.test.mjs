@@ -497,6 +497,23 @@ pageTest('a real selection of prose is possible, and print has the prose and a s
   assert.equal(await page.locator('.still').count(), 0);
 });
 
+pageTest('the description of the stage follows its state', {}, async (page) => {
+  const description = () =>
+    page.locator('canvas').evaluate((canvas) => canvas.ariaDescribedByElements.map(({ textContent }) => textContent).join(' '));
+  assert.match(await description(), /u closed, v closed.*locals u 6.*Polynomial, order 2/);
+  await call(page, 'set', 'locals.u', 5);
+  await call(page, 'set', 'topology.v', 'open');
+  const handle = await frontHandle(page);
+  await page.mouse.click(...handle.screen);
+  await settled(page);
+  const said = await description();
+  assert.match(said, /v open.*locals u 5/);
+  assert.match(said, new RegExp(`${handle.label} is selected`));
+  await call(page, 'open', 'bspline-curve');
+  await call(page, 'set', 'display.polygon', false);
+  assert.match(await description(), /curve open, degree 3.*t 1\.6.*Shown: (?!.*control polygon)/);
+});
+
 pageTest('the notice line tells what is held', {}, async (page) => {
   const handle = await frontHandle(page);
   await page.mouse.click(...handle.screen);

@@ -1,0 +1,31 @@
+import type { Parameter } from './knotwork';
+
+/// Groups of rows that say what stands on the stage, and not how it is drawn or moved.
+const silent = new Set(['Sampling', 'Motion', 'Model', 'Animation']);
+
+/// What stands on the stage, for those who do not see it: "As it stands: curve open, degree 3, t 1.6. Shown: knots, control
+/// polygon. Point 2 is selected." `selected` is a handle's id or ''.
+export function describe(rows: ReadonlyMap<string, Parameter>, selected: string): string {
+  const told = [...rows.values()].filter(({ group }) => !silent.has(group));
+  const facts = told
+    .filter(({ group, kind }) => group !== 'Show' && kind !== 'toggle')
+    .map((row) => `${row.label} ${valueOf(row)}`);
+  const shown = told.filter(({ group, value }) => group === 'Show' && value === true).map(({ label }) => label);
+  const sentences: string[] = [];
+  if (facts.length > 0) sentences.push(`As it stands: ${facts.join(', ')}.`);
+  if (shown.length > 0) sentences.push(`Shown: ${shown.join(', ')}.`);
+  if (selected) sentences.push(`${nameOf(selected)} is selected.`);
+  if (rows.get('animation.playing')?.value === true) sentences.push('It is moving.');
+  return sentences.join(' ');
+}
+
+function valueOf({ choices, kind, value, unit }: Parameter): string {
+  if (typeof value === 'number') return `${kind === 'integer' ? value : Number(value.toPrecision(3))}${unit && ` ${unit}`}`;
+  return choices.find(({ id }) => id === value)?.label ?? String(value);
+}
+
+/// "patch-2-1" is "Patch 2, 1".
+function nameOf(handle: string): string {
+  const [kind = '', ...indices] = handle.split('-');
+  return `${kind.charAt(0).toUpperCase()}${kind.slice(1)} ${indices.join(', ')}`.trim();
+}
