@@ -13,7 +13,7 @@ function sourceUrl(): string {
   return given ?? (host && repository ? `${host}/${repository}` : '');
 }
 
-const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl() };
+const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl(), language: process.env['KNOTWORK_LANGUAGE'] ?? 'en' };
 
 export default defineConfig({
   root,

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
 import { checkNames, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
+import { Language } from './language';
 import { Mathematics } from './mathematics';
 
 export interface PageOptions {
@@ -10,6 +11,11 @@ export interface PageOptions {
   moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm and later.wasm are
   policy: string;           ///< content security policy of the built page
   sourceUrl: string;        ///< where the source can be read; '' for no link
+  language: string;         ///< of the page: see language.ts
+}
+
+interface PageChapter extends Chapter {
+  foreign: boolean;  ///< in English on a page of another language
 }
 
 /// Writes the chapters into index.html as real HTML, makes the fonts and the mathematics' stylesheet, and lets the
@@ -17,7 +23,8 @@ export interface PageOptions {
 export function page(options: PageOptions): Plugin {
   const generated = join(options.root, 'generated');
   const chapterDirectory = join(options.root, 'chapters');
-  let chapters: Chapter[] = [];
+  const language = new Language(options.root, options.language);
+  let chapters: PageChapter[] = [];
 
   const prepare = async (): Promise<void> => {
     const mathematics = new Mathematics();
@@ -26,7 +33,9 @@ export function page(options: PageOptions): Plugin {
       .sort()
       .map((name) => {
         try {
-          return renderChapter(readFileSync(join(chapterDirectory, name), 'utf8'), mathematics);
+          const { source, own } = language.chapter(name);
+          const chapter = renderChapter(source, mathematics);
+          return { ...chapter, foreign: !own };
         } catch (error) {
           throw new Error(`chapters/${name}: ${error instanceof Error ? error.message : String(error)}`);
         }
@@ -35,10 +44,10 @@ export function page(options: PageOptions): Plugin {
     mkdirSync(generated, { recursive: true });
     const page = chapters.map(({ html }) => html).join('');
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));
-    const words = chapters.map(({ html }) => html.replace(typeset, ''));
+    const words = chapters.map(({ html }) => language.html(html.replace(typeset, '')));
     const text = words.join('').replace(/<[^>]*>/g, '');
     const italic = words.flatMap((html) => [...html.matchAll(/<em>(.*?)<\/em>/gs)].map((match) => match[1]!));
-    const frame = readFileSync(join(options.root, 'index.html'), 'utf8');
+    const frame = language.html(readFileSync(join(options.root, 'index.html'), 'utf8')) + language.letters();
     await makeFonts(generated, text + frame, italic.join('').replace(/<[^>]*>/g, ''), mathematics);
   };
 
@@ -59,6 +68,7 @@ export function page(options: PageOptions): Plugin {
     config: () => ({
       define: {
         __WASM_BYTES__: JSON.stringify(sizeOf(join(options.moduleDirectory, 'knotwork.wasm'))),
+        __WORDS__: JSON.stringify(language.words),
       },
     }),
 
@@ -70,13 +80,18 @@ export function page(options: PageOptions): Plugin {
 
     transformIndexHtml: {
       order: 'pre',
-      handler: (html) =>
-        html
+      handler: (html) => {
+        const whole = html
           .replace('<!--sections-->', () => sectionMarks(chapters))
           .replace('<!--contents-->', () => contents(chapters))
           .replace('<!--chapters-->', () => chapters.map((_, index) => article(chapters, index)).join('\n'))
           .replace('<!--source-->', () => sourceLink(options.sourceUrl))
-          .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? ''),
+          .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? '');
+        return language
+          .html(whole)
+          .replace(/<!--\/?tex-->/g, '')
+          .replace('<html lang="en">', `<html lang="${language.tag}">`);
+      },
     },
   };
 }
@@ -117,7 +132,7 @@ function sizeOf(path: string): number {
   return existsSync(path) ? statSync(path).size : 0;
 }
 
-function article(chapters: readonly Chapter[], index: number): string {
+function article(chapters: readonly PageChapter[], index: number): string {
   const chapter = chapters[index]!;
   const neighbour = (other: Chapter | undefined, relation: 'prev' | 'next', word: string): string =>
     other ? `<a rel="${relation}" href="#${other.id}"><span>${word}</span> ${other.title}</a>` : '';
@@ -127,8 +142,8 @@ function article(chapters: readonly Chapter[], index: number): string {
         `${neighbour(chapters[index - 1], 'prev', 'Before')}${neighbour(chapters[index + 1], 'next', 'Next')}</nav>\n`
       : '';
   return (
-    `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}">\n` +
-    `<h1>${chapter.title}</h1>\n${chapter.html.replace(/<!--\/?tex-->/g, '')}${turn}</article>`
+    `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}"${chapter.foreign ? ' lang="en"' : ''}>\n` +
+    `<h1>${chapter.title}</h1>\n${chapter.html}${turn}</article>`
   );
 }
 

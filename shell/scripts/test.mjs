@@ -13,6 +13,7 @@ await build({
   root,
   configFile: false,
   logLevel: 'warn',
+  define: { __WORDS__: 'null' },
   build: {
     ssr: true,
     outDir: out,

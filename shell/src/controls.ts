@@ -1,4 +1,5 @@
 import type { Parameter } from './knotwork';
+import { say } from './words';
 
 /// HTML controls made from rows of the parameter table: native elements with labels, kept in step with the module.
 
@@ -24,7 +25,7 @@ export function makeControl(place: HTMLElement, parameter: Parameter, setter: Se
   return {
     id: parameter.id,
     update: (now) => control.update((last = now)),
-    rest: () => control.update({ ...last, disabled: 'The stage shows something else.' }),
+    rest: () => control.update({ ...last, disabled: say('The stage shows something else.') }),
   };
 }
 

@@ -1,3 +1,5 @@
+import { say } from './words';
+
 /// What covers the stage until there is something on it: progress, or why nothing comes.
 const byId = (id: string): HTMLElement => document.getElementById(id)!;
 
@@ -30,15 +32,15 @@ export function showProgress(share: number): void {
   byId('loading').hidden = false;
   (byId('progress') as HTMLProgressElement).value = share;
   byId('loading-text').textContent =
-    share < 1 ? `Fetching the figure, ${Math.floor(100 * share)} %` : 'Setting up the figure';
+    share < 1 ? say('Fetching the figure, {} %', Math.floor(100 * share)) : say('Setting up the figure');
 }
 
 export function showTrouble(trouble: Trouble, retry: () => void): void {
   const [title, text, again] = messages[trouble];
   byId('stage').dataset['state'] = 'trouble';
   byId('loading').hidden = true;
-  byId('trouble-title').textContent = title;
-  byId('trouble-text').textContent = text;
+  byId('trouble-title').textContent = say(title);
+  byId('trouble-text').textContent = say(text);
   const button = byId('retry') as HTMLButtonElement;
   button.hidden = !again;
   button.onclick = retry;

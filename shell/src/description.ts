@@ -1,21 +1,22 @@
 import type { Parameter } from './knotwork';
+import { say } from './words';
 
 /// Groups of rows that say what stands on the stage, and not how it is drawn or moved.
-const silent = new Set(['Sampling', 'Motion', 'Model', 'Animation']);
+const silent = ['Sampling', 'Motion', 'Model', 'Animation'];
 
 /// What stands on the stage, for those who do not see it: "As it stands: curve open, degree 3, t 1.6. Shown: knots, control
 /// polygon. Point 2 is selected." `selected` is a handle's id or ''.
 export function describe(rows: ReadonlyMap<string, Parameter>, selected: string): string {
-  const told = [...rows.values()].filter(({ group }) => !silent.has(group));
+  const told = [...rows.values()].filter(({ group }) => !silent.some((name) => group === say(name)));
   const facts = told
-    .filter(({ group, kind }) => group !== 'Show' && kind !== 'toggle')
+    .filter(({ group, kind }) => group !== say('Show') && kind !== 'toggle')
     .map((row) => `${row.label} ${valueOf(row)}`);
-  const shown = told.filter(({ group, value }) => group === 'Show' && value === true).map(({ label }) => label);
+  const shown = told.filter(({ group, value }) => group === say('Show') && value === true).map(({ label }) => label);
   const sentences: string[] = [];
-  if (facts.length > 0) sentences.push(`As it stands: ${facts.join(', ')}.`);
-  if (shown.length > 0) sentences.push(`Shown: ${shown.join(', ')}.`);
-  if (selected) sentences.push(`${nameOf(selected)} is selected.`);
-  if (rows.get('animation.playing')?.value === true) sentences.push('It is moving.');
+  if (facts.length > 0) sentences.push(say('As it stands: {}.', facts.join(', ')));
+  if (shown.length > 0) sentences.push(say('Shown: {}.', shown.join(', ')));
+  if (selected) sentences.push(say('{} is selected.', nameOf(selected)));
+  if (rows.get('animation.playing')?.value === true) sentences.push(say('It is moving.'));
   return sentences.join(' ');
 }
 
@@ -27,5 +28,5 @@ function valueOf({ choices, kind, value, unit }: Parameter): string {
 /// "patch-2-1" is "Patch 2, 1".
 function nameOf(handle: string): string {
   const [kind = '', ...indices] = handle.split('-');
-  return `${kind.charAt(0).toUpperCase()}${kind.slice(1)} ${indices.join(', ')}`.trim();
+  return `${say(`${kind.charAt(0).toUpperCase()}${kind.slice(1)}`)} ${indices.join(', ')}`.trim();
 }

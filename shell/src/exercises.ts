@@ -2,6 +2,7 @@ import type { Bridge } from './bridge';
 import { parseGoal, reached, type Comparison } from './goals';
 import type { Parameter } from './knotwork';
 import type { Figure, Scenes } from './scenes';
+import { say } from './words';
 
 const storageKey = 'knotwork.solved';
 
@@ -38,7 +39,7 @@ export class Exercises {
     this.solved.add(row.figure.id);
     write([...this.solved]);
     this.show();
-    this.announce(`Solved. ${row.done.textContent}`);
+    this.announce(`${say('Solved.')} ${row.done.textContent}`);
   }
 
   /// How many of a chapter's exercises are solved.
@@ -57,7 +58,7 @@ export class Exercises {
     for (const { figure, state, done } of this.rows) {
       const solved = this.solved.has(figure.id);
       figure.element.toggleAttribute('data-solved', solved);
-      const words = solved ? 'Solved' : '';
+      const words = solved ? say('Solved') : '';
       if (state.textContent !== words) state.textContent = words;
       done.hidden = !solved;
     }
@@ -65,7 +66,7 @@ export class Exercises {
     for (const place of document.querySelectorAll<HTMLElement>('[data-progress]')) {
       const [solved, all] = this.progress(document.getElementById(place.dataset['progress']!)!);
       place.textContent = all > 0 ? `${solved} / ${all}` : '';
-      place.title = all > 0 ? `${solved} of ${all} exercises solved` : '';
+      place.title = all > 0 ? say('{} of {} exercises solved', solved, all) : '';
     }
   }
 }

@@ -1,4 +1,5 @@
 import type { Figure, Scenes } from './scenes';
+import { say } from './words';
 
 /// The words under a figure's caption: which one is on the stage, and how it starts again. The stage is described by the
 /// caption of what it shows.
@@ -35,7 +36,7 @@ export class FigureTools {
     for (const { figure, show, again } of this.rows) {
       const here = figure === shown;
       figure.element.toggleAttribute('data-shown', here);
-      show.textContent = here ? 'On the stage' : 'Show on the stage';
+      show.textContent = here ? say('On the stage') : say('Show on the stage');
       show.ariaDisabled = String(here);
       again.ariaDisabled = String(!here || !canUndo);  // disabled, it would lose the focus
     }

@@ -1,4 +1,5 @@
 import type { State } from './bridge';
+import { say } from './words';
 
 /// Undo and redo: two buttons, and the usual keys anywhere on the page but in text fields.
 export class HistoryControls {
@@ -18,8 +19,8 @@ export class HistoryControls {
   }
 
   update(state: State): void {
-    name(this.undoButton, 'Undo', state.canUndo, state.undoLabel);
-    name(this.redoButton, 'Redo', state.canRedo, state.redoLabel);
+    name(this.undoButton, say('Undo'), state.canUndo, state.undoLabel);
+    name(this.redoButton, say('Redo'), state.canRedo, state.redoLabel);
   }
 }
 
@@ -42,7 +43,7 @@ function button(id: string): HTMLButtonElement {
 }
 
 function name(target: HTMLButtonElement, verb: string, possible: boolean, label: string): void {
-  const text = possible && label ? `${verb}: ${label}` : verb;
+  const text = possible && label ? `${verb}: ${say(label)}` : verb;
   if (target.title !== text) {
     target.title = text;
     target.querySelector('.hidden')!.textContent = text;

@@ -73,7 +73,8 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
   // The size's observer has drawn the first frame by then: what the page does with it need not keep it waiting.
-  requestAnimationFrame(() => requestAnimationFrame(() => void parsed.then(() => makePage(bridge, second))));
+  const make = (): Promise<void> => parsed.then(() => makePage(bridge, second)).catch((error) => fail('failed', error));
+  requestAnimationFrame(() => requestAnimationFrame(() => void make()));
 }
 
 function makePage(bridge: Bridge, second: SecondPart): void {

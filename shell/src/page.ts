@@ -10,6 +10,7 @@ import { PatchList } from './patches';
 import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
 import { readFigures, Scenes, type Figure } from './scenes';
+import { say, sayRow } from './words';
 
 /// Everything beside the stage that shows the module's state or changes it.
 export class Page {
@@ -116,13 +117,13 @@ export class Page {
     this.history.update(state);
     const description = describe(rows, state.selected);
     if (this.description.textContent !== description) this.description.textContent = description;
-    if (state.notice !== this.lastNotice) this.announce(state.notice);
+    if (state.notice !== this.lastNotice) this.announce(say(state.notice));
     this.lastNotice = state.notice;
     this.exercises.update(rows);  // what it says is said last
   }
 
   private rows(): Map<string, Parameter> {
-    return new Map(this.bridge.parameters().map((row) => [row.id, row]));
+    return new Map(this.bridge.parameters().map((row) => [row.id, sayRow(row)]));
   }
 
   /// Does what a phrase says to the figure that it is about, which may have made room for another one.
@@ -147,7 +148,7 @@ export class Page {
   }
 
   private refuse(error: unknown): void {
-    this.announce(error instanceof Error ? error.message : String(error));
+    this.announce(say(error instanceof Error ? error.message : String(error)));
   }
 
   /// Rows beside the prose are made when the figure that has them first comes to the stage.

@@ -1,6 +1,7 @@
 import type { State } from './bridge';
 import { element } from './controls';
 import type { Handle } from './knotwork';
+import { say } from './words';
 
 /// Stands in for the handles on the stage: a list to choose one from, by keyboard and for screen readers. Moving the
 /// chosen one is done with the arrow keys on the stage, which gets the focus from the button.
@@ -10,12 +11,12 @@ export class PatchList {
 
   constructor(place: HTMLElement, choose: (id: string) => void, goToStage: () => void) {
     this.select.id = 'patch';
-    const label = element('label', 'label', 'Selected patch');
+    const label = element('label', 'label', say('Selected patch'));
     label.htmlFor = this.select.id;
     this.select.addEventListener('change', () => choose(this.select.value));
     const frame = element('div', 'choose');
     frame.append(this.select);
-    const button = element('button', 'act', 'move it with the keys');
+    const button = element('button', 'act', say('move it with the keys'));
     button.type = 'button';
     button.addEventListener('click', goToStage);
     place.replaceChildren(label, frame, button);
@@ -29,8 +30,8 @@ export class PatchList {
     if (key !== this.listed) {
       this.listed = key;
       this.select.replaceChildren(
-        new Option('none', ''),
-        ...(surface ? handles().map((handle) => new Option(handle.label, handle.id)) : []),
+        new Option(say('none'), ''),
+        ...(surface ? handles().map((handle) => new Option(say(handle.label), handle.id)) : []),
       );
     }
     if (surface && this.select.value !== state.selected) this.select.value = state.selected;

@@ -1,5 +1,6 @@
 import { RefusedError, type Bridge } from './bridge';
 import { element } from './controls';
+import { say } from './words';
 
 /// No longer text is read by the module; what is cut off here would only be refused there.
 const longestText = 8 * 1024 * 1024 + 1;
@@ -31,7 +32,7 @@ export class PointsField {
   private readonly fault = element('p', 'reason');
 
   constructor(take: (text: string) => void, present: () => string) {
-    const label = element('label', '', 'Two or three numbers on each line, or a JSON list of such lists');
+    const label = element('label', '', say('Two or three numbers on each line, or a JSON list of such lists'));
     this.field.id = 'points-text';
     this.field.rows = 6;
     this.field.spellcheck = false;
@@ -40,7 +41,7 @@ export class PointsField {
     label.htmlFor = this.field.id;
     this.fault.id = 'points-fault';
     this.fault.setAttribute('role', 'status');
-    const use = button('Use these points', () => {
+    const use = button(say('Use these points'), () => {
       try {
         take(this.field.value);
         this.say('');
@@ -48,13 +49,13 @@ export class PointsField {
         this.say(faultText(error));
       }
     });
-    const show = button('Write the present ones', () => {
+    const show = button(say('Write the present ones'), () => {
       this.field.value = present();
       this.say('');
     });
     const buttons = element('div', 'buttons');
     buttons.append(use, show);
-    this.element.append(element('summary', '', 'Points as text'), label, this.field, this.fault, buttons);
+    this.element.append(element('summary', '', say('Points as text')), label, this.field, this.fault, buttons);
     this.say('');
   }
 
@@ -71,7 +72,7 @@ export class PointsField {
 export function faultText(error: unknown): string {
   if (!(error instanceof Error)) return String(error);
   const line = error instanceof RefusedError && /^line \d+$/.test(error.path) ? error.path : '';
-  return line ? `${line.replace('l', 'L')}: ${error.message}` : error.message;
+  return line ? `${say('Line {}', line.slice(5))}: ${say(error.message)}` : say(error.message);
 }
 
 /// A point on each line.

@@ -1,5 +1,6 @@
 import type { Direction, SurfaceState } from './bridge';
 import type { Parameter } from './knotwork';
+import { say } from './words';
 
 /// The report's table: what opening and closing makes of the counts. The row of the present topology is the module's
 /// own; the others follow from its numbers of local surfaces (THEORY 2.8).
@@ -73,9 +74,11 @@ export class ReportTable {
   constructor(place: HTMLElement, setTopologies: (u: Topology, v: Topology) => void) {
     const table = document.createElement('table');
     table.innerHTML =
-      '<caption class="hidden">What opening and closing does to the counts</caption><thead><tr>' +
-      '<th scope="col">u, v</th><th scope="col">domain</th><th scope="col">knots</th>' +
-      '<th scope="col">patches</th><th scope="col">local patches</th><th scope="col">shape</th></tr></thead>';
+      `<caption class="hidden">${say('What opening and closing does to the counts')}</caption><thead><tr>` +
+      ['u, v', 'domain', 'knots', 'patches', 'local patches', 'shape']
+        .map((heading) => `<th scope="col">${say(heading)}</th>`)
+        .join('') +
+      '</tr></thead>';
     const body = table.createTBody();
     for (let i = 0; i < 4; ++i) {
       const row = body.insertRow();
@@ -87,7 +90,7 @@ export class ReportTable {
       button.className = 'act';
       const u: Topology = i < 2 ? 'open' : 'closed';
       const v: Topology = i % 2 === 0 ? 'open' : 'closed';
-      button.textContent = `${u}, ${v}`;
+      button.textContent = `${say(u)}, ${say(v)}`;
       button.addEventListener('click', () => setTopologies(u, v));
       this.buttons.push(button);
       heading.append(button);
@@ -108,7 +111,7 @@ export class ReportTable {
       fill(knots!, row.u.knots, row.v.knots);
       fill(patches!, row.u.patches, row.v.patches);
       fill(locals!, row.u.locals, row.v.locals);
-      const shape = row.refused ? '–' : row.shape;
+      const shape = row.refused ? '–' : say(row.shape);
       if (this.shapes[i]!.textContent !== shape) this.shapes[i]!.textContent = shape;
       const button = this.buttons[i]!;
       button.setAttribute('aria-disabled', String(row.refused !== ''));

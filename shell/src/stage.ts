@@ -1,4 +1,5 @@
 import type { Bridge } from './bridge';
+import { say } from './words';
 
 /// The canvas and its frames. Draws only when the module wants another frame or something asked for one; an idle page
 /// draws nothing.
@@ -30,7 +31,7 @@ export class Stage {
     const still = document.createElement('canvas');
     still.className = 'still';
     still.role = 'img';
-    still.ariaLabel = 'The surface when the page was printed';
+    still.ariaLabel = say('The surface when the page was printed');
     addEventListener('beforeprint', () => this.copy(still));
     addEventListener('afterprint', () => still.remove());
     document.addEventListener('visibilitychange', () => {

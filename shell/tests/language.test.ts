@@ -1,0 +1,62 @@
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { Language } from '../plugins/language';
+import { pseudo } from '../src/pseudo';
+import { say } from '../src/words';
+
+/// A shell's folder with a chapter in English and one that German has, too.
+function folder(words: string): string {
+  const root = mkdtempSync(join(tmpdir(), 'knotwork-language-'));
+  mkdirSync(join(root, 'chapters'));
+  mkdirSync(join(root, 'languages', 'de'), { recursive: true });
+  writeFileSync(join(root, 'chapters', '00-one.md'), 'one');
+  writeFileSync(join(root, 'chapters', '01-two.md'), 'two');
+  writeFileSync(join(root, 'languages', 'de', '00-one.md'), 'eins');
+  writeFileSync(join(root, 'languages', 'de', 'words.json'), words);
+  return root;
+}
+
+test('a language has its own chapters, and the others in English', () => {
+  const root = folder('{ "Hint": "Hinweis", "Try it": "Zum Probieren" }');
+  const german = new Language(root, 'de');
+  assert.equal(german.tag, 'de');
+  assert.deepEqual(german.chapter('00-one.md'), { source: 'eins', own: true });
+  assert.deepEqual(german.chapter('01-two.md'), { source: 'two', own: false });
+  assert.deepEqual(new Language(root, 'en').chapter('00-one.md'), { source: 'one', own: true });
+  assert.equal(german.html('<aside aria-label="Try it">\n  Hint\n <code>Hint</code></aside>'),
+    '<aside aria-label="Zum Probieren">\n  Hinweis\n <code>Hint</code></aside>');
+  rmSync(root, { recursive: true });
+});
+
+test('a language without words, with a wrong file or a wrong name is refused by name', () => {
+  const root = folder('["Hint"]');
+  assert.throws(() => new Language(root, 'fr'), /KNOTWORK_LANGUAGE is fr: there is no languages\/fr\/words\.json/);
+  assert.throws(() => new Language(root, '../de'), /not a language tag/);
+  writeFileSync(join(root, 'languages', 'de', 'words.json'), '{ "Hint": 1 }');
+  assert.throws(() => new Language(root, 'de'), /languages\/de\/words\.json/);
+  rmSync(root, { recursive: true });
+});
+
+test('the disguise touches neither mathematics nor code nor what scripts read', () => {
+  const language = new Language('.', 'pseudo');
+  const kept = ['<!--tex--><span>abc</span><!--/tex-->', '<pre>abc</pre>', '<svg viewBox="0 0 1 1"><path d="M1"/></svg>'];
+  for (const html of kept) assert.equal(language.html(html), html);
+  const tag = '<div data-goal="curve.length > 5.5 and points.moved = 2" id="figure-one">';
+  assert.equal(language.html(tag), tag);
+  assert.equal(language.html('<p title="Undo">one &amp; two</p>'), '<p title="Úñdó ··">óñé · &amp; twó ·</p>');
+});
+
+test('the disguise is longer by two fifths; single letters and numbers have none', () => {
+  assert.equal(pseudo('locals u'), 'lóçáls ú ···');
+  assert.equal(pseudo(' u '), ' u ');
+  assert.equal(pseudo('0.5'), '0.5');
+  assert.equal(pseudo('{} is here'), '{} ís héré ····');
+});
+
+test('what scripts say in English is what stands in the source, with its values', () => {
+  assert.equal(say('{} of {} exercises solved', 1, 3), '1 of 3 exercises solved');
+  assert.equal(say('Undo'), 'Undo');
+});
