@@ -26,7 +26,8 @@ export class Mathematics {
     for (const [, names] of visible.matchAll(/class="([^"]*)"/g)) {
       this.used.add(names ?? '');
     }
-    const lean = html.replace(/<annotation[\s\S]*?<\/annotation>/g, '');  // the TeX again, for nobody on this page
+    // Without the TeX again, for nobody on this page, and without what HTML's parser knows.
+    const lean = html.replace(/<annotation[\s\S]*?<\/annotation>|<\/?semantics>| xmlns="[^"]*"/g, '');
     return lean.replace(/<(\w+)((?:\s+[\w-]+="[^"]*")*)>/g, (tag, name: string, attributes: string) => {
       const style = /\sstyle="([^"]*)"/.exec(attributes)?.[1];
       if (style === undefined) return tag;
