@@ -2,13 +2,15 @@
 {
   const root = document.documentElement;
 
-  // The text stays out of sight until its typefaces are here, a second at most: read in another face first, it would move
-  // under the reader's eyes. Which faces there are is known with the styles.
+  // The text stays out of sight until its typefaces are here: read in another face first, it would move under the
+  // reader's eyes. Not later than 0.9 s after the visit has begun, and not for those of formulas, which come further down.
+  // Which faces there are is known with the styles.
   root.classList.add('arriving');
   const sheets = [...document.querySelectorAll('link[rel=stylesheet]')].filter((link) => !link.sheet);
   const styles = sheets.map((link) => new Promise((done) => ['load', 'error'].forEach((end) => link.addEventListener(end, done))));
-  const faces = Promise.all(styles).then(() => Promise.all([...document.fonts].map((face) => face.load())));
-  const patience = new Promise((resolve) => setTimeout(resolve, 1000));
+  const upright = ({ family, style }) => style === 'normal' && !family.includes('KaTeX');
+  const faces = Promise.all(styles).then(() => Promise.all([...document.fonts].filter(upright).map((face) => face.load())));
+  const patience = new Promise((resolve) => setTimeout(resolve, Math.max(0, 900 - performance.now())));
   Promise.race([faces, patience])
     .catch(() => {})
     .then(() => root.classList.remove('arriving'));
