@@ -1,6 +1,7 @@
 // Runs before the first picture of the page, while its text still arrives.
 {
   const root = document.documentElement;
+  root.classList.add('scripted');  // figures are alive: their still pictures are not shown
 
   // The text stays out of sight until its typefaces are here: read in another face first, it would move under the
   // reader's eyes. Not later than 0.9 s after the visit has begun, and not for those of formulas, which come further down.

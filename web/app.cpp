@@ -616,13 +616,6 @@ bool App::frame(double now) {
   return running_ = wants_frame();
 }
 
-void App::draw_still() {
-  if (!context_ready_) return;
-  update_geometry();
-  upload();
-  renderer_.draw(picture());
-}
-
 void App::run_interface(double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   if (fonts_stale_) {

@@ -49,8 +49,6 @@ class App {
   /// Draws a frame if one is needed; `now` in milliseconds. True when another one is wanted at once.
   bool frame(double now);
   bool wants_frame() const { return pending_frames_ > 0; }
-  /// Draws the figure as it stands, without the interface over it: for paper.
-  KNOTWORK_LATER void draw_still();
 
   bool pointer(const PointerEvent& event);
   bool wheel(const WheelEvent& event);

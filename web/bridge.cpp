@@ -73,10 +73,6 @@ EMSCRIPTEN_KEEPALIVE bool knotwork_context(bool present) { return context_change
 
 EMSCRIPTEN_KEEPALIVE bool knotwork_frame(double now) { return app() != nullptr && app()->frame(now); }
 
-EMSCRIPTEN_KEEPALIVE void knotwork_still() {
-  if (app() != nullptr) app()->draw_still();
-}
-
 EMSCRIPTEN_KEEPALIVE int knotwork_pointer(int type, int id, int device, double x, double y, int button, int modifiers,
                                           double time) {
   if (app() == nullptr || type < 0 || type > 4 || device < 0 || device > 2) return 0;

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "web/curve_path.h"
-#include "web/panel_frame.h"
 #include "web/vectors.h"
+#include "web/words.h"
 
 namespace knotwork::web {
 namespace {

@@ -16,7 +16,7 @@ namespace knotwork::web {
 namespace {
 
 constexpr float curve_ink = 3.6F, dense_ink = 1.8F, circle_ink = 1.3F, arrow_ink = 2.4F;  // widths, CSS pixels
-constexpr double arrow_length = 58, barb_length = 9, barb_width = 4.5, label_gap = 13;
+constexpr double arrow_length = 58, frame_barb_length = 9, frame_barb_width = 4.5, label_gap = 13;
 constexpr float paleness = 0.42F;  // of the farthest part
 constexpr int circle_steps = 96;
 constexpr double largest_circle = 2;  // of the curve's size; a larger one is nearly a line through the picture
@@ -44,13 +44,13 @@ void add_arrow(Picture& picture, glm::dvec3 foot, const FrameArrow& arrow) {
   const glm::dvec3 across = glm::cross(along, picture.view.forward);
   const double width = glm::length(across);
   const glm::dvec3 side = width > 1e-6 ? across / width : picture.view.right;
-  const glm::dvec3 neck = arrow.tip - barb_length * pixel * along;
+  const glm::dvec3 neck = arrow.tip - frame_barb_length * pixel * along;
   const auto line = [&](glm::dvec3 from, glm::dvec3 to) {
     picture.ribbons.push_back({glm::vec3(from), glm::vec3(to), to_glm(arrow.hue, 1), arrow_ink});
   };
   line(foot, arrow.tip);
-  line(arrow.tip, neck + barb_width * pixel * side);
-  line(arrow.tip, neck - barb_width * pixel * side);
+  line(arrow.tip, neck + frame_barb_width * pixel * side);
+  line(arrow.tip, neck - frame_barb_width * pixel * side);
 }
 
 void add_circle(Picture& picture, const scene::ModelCurveFigure& figure) {

@@ -1,31 +1,42 @@
 # Needs neither GL nor Emscripten nor ImGui: also built natively, with tests.
 set(KNOTWORK_WEB_LOGIC_SOURCES
+  blending_curve_ornaments.cpp
   camera.cpp
   composition.cpp
+  curvature_comb.cpp
+  curve_ornaments.cpp
   curve_path.cpp
   figure.cpp
+  figure_picture.cpp
+  fit_ornaments.cpp
   freehand.cpp
   gizmo.cpp
   holding.cpp
   interaction.cpp
+  model_curve_ornaments.cpp
+  model_ornaments.cpp
+  net_ornaments.cpp
   patch_drag.cpp
   stage_grid.cpp
-  theme.cpp)
+  stage_ornaments.cpp
+  subdivision_ornaments.cpp
+  theme.cpp
+  words.cpp)
+
+# Still pictures of figures: natively with tests, and in a program that the site's build runs under Node.
+set(KNOTWORK_STILL_SOURCES
+  still.cpp
+  still_surface.cpp)
 
 # The browser's part.
 set(KNOTWORK_WEB_APP_SOURCES
   allocations.cpp
   app.cpp
-  blending_curve_ornaments.cpp
   blending_curve_panel.cpp
   blending_panel.cpp
   bridge.cpp
-  curvature_comb.cpp
-  curve_ornaments.cpp
   curve_panel.cpp
   figure_panel.cpp
-  figure_picture.cpp
-  fit_ornaments.cpp
   fit_panel.cpp
   gl_objects.cpp
   interface_style.cpp
@@ -33,19 +44,14 @@ set(KNOTWORK_WEB_APP_SOURCES
   knot_strip.cpp
   log_plot.cpp
   main.cpp
-  model_curve_ornaments.cpp
   model_curve_panel.cpp
-  model_ornaments.cpp
   model_panel.cpp
-  net_ornaments.cpp
   net_panel.cpp
   panel_frame.cpp
   panels.cpp
   plot.cpp
   renderer.cpp
   script_interface.cpp
-  stage_ornaments.cpp
-  subdivision_ornaments.cpp
   subdivision_panel.cpp
   surface_textures.cpp)
 

@@ -5,6 +5,7 @@ import { checkNames, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
 import { Language } from './language';
 import { Mathematics } from './mathematics';
+import { Stills, withStills } from './stills';
 
 export interface PageOptions {
   root: string;             ///< the shell's folder
@@ -35,13 +36,15 @@ export function page(options: PageOptions): Plugin {
         try {
           const { source, own } = language.chapter(name);
           const chapter = renderChapter(source, mathematics);
-          return { ...chapter, foreign: !own };
+          return { ...chapter, html: withStills(chapter.html, chapter.figures), foreign: !own };
         } catch (error) {
           throw new Error(`chapters/${name}: ${error instanceof Error ? error.message : String(error)}`);
         }
       });
     checkNames(chapters);
     mkdirSync(generated, { recursive: true });
+    const stills = await Stills.make(options.moduleDirectory, join(options.root, 'scenes'));
+    stills.write(join(generated, 'stills'), chapters.flatMap(({ figures }) => figures));
     const page = chapters.map(({ html }) => html).join('');
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));
     const words = chapters.map(({ html }) => language.html(html.replace(typeset, '')));

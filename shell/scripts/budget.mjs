@@ -19,12 +19,16 @@ const isFarScene = (key) => {
   return scene !== undefined && !near.includes(`data-figure="${scene}"`);
 };
 
+// Still pictures of figures are not fetched while the figures are alive (browser/page.test.mjs).
+const lazy = new Set([...page.matchAll(/<img class="still" src="\.\/([^"]*)"[^>]* loading="lazy"/g)].map(([, file]) => file));
+const isLazy = (file) => lazy.has(file);
+
 const loaded = new Set(['index.html', 'arriving.js', 'favicon.svg', 'manifest.webmanifest']);
 function follow(key) {
   const chunk = manifest[key];
   if (!chunk || loaded.has(chunk.file)) return;
   loaded.add(chunk.file);
-  for (const file of [...(chunk.css ?? []), ...(chunk.assets ?? [])]) loaded.add(file);
+  for (const file of [...(chunk.css ?? []), ...(chunk.assets ?? [])]) if (!isLazy(file)) loaded.add(file);
   for (const next of [...(chunk.imports ?? []), ...(chunk.dynamicImports ?? [])]) if (!isFarScene(next)) follow(next);
 }
 follow('index.html');

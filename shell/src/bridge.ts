@@ -116,11 +116,6 @@ export class Bridge {
     return this.number('knotwork_frame', now) !== 0;
   }
 
-  /// Draws the figure alone, without panel and clock, until the next frame.
-  still(): void {
-    this.number('knotwork_still');
-  }
-
   /// The input functions say whether the event was used.
   pointer(
     kind: PointerKind, id: number, device: Device, x: number, y: number, button: number, modifiers: number, time: number,

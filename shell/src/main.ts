@@ -44,6 +44,7 @@ void parsed.then(() => {
 void begin();
 
 async function begin(): Promise<void> {
+  document.documentElement.classList.add('scripted');
   showProgress(0);
   // What still arrives after one download has failed must not hide the message.
   let waiting = true;
@@ -95,7 +96,8 @@ function makePage(bridge: Bridge, second: SecondPart): void {
 
 /// A download can be tried again in place; a script that failed to load stays failed until the page is loaded anew.
 function fail(trouble: Trouble, error: unknown): void {
-  document.documentElement.classList.remove('early');
+  // The still pictures of the figures come instead.
+  document.documentElement.classList.remove('early', 'scripted');
   if (trouble === 'failed') console.error(error);
   else console.warn(error);
   showTrouble(trouble, trouble === 'download' ? () => void begin() : reload);

@@ -1,5 +1,4 @@
 import type { Bridge } from './bridge';
-import { say } from './words';
 
 /// The canvas and its frames. Draws only when the module wants another frame or something asked for one; an idle page
 /// draws nothing.
@@ -28,12 +27,6 @@ export class Stage {
     follow('(prefers-color-scheme: dark)', (dark) => this.bridge.scheme(dark));
     follow('(prefers-reduced-motion: reduce)', (reduced) => this.bridge.reducedMotion(reduced));
     this.watchSize();
-    const still = document.createElement('canvas');
-    still.className = 'still';
-    still.role = 'img';
-    still.ariaLabel = say('The surface when the page was printed');
-    addEventListener('beforeprint', () => this.copy(still));
-    addEventListener('afterprint', () => still.remove());
     document.addEventListener('visibilitychange', () => {
       if (!document.hidden) this.request();
     });
@@ -57,19 +50,6 @@ export class Stage {
   request(): void {
     if (this.pending !== 0 || !this.present) return;
     this.pending = requestAnimationFrame((now) => this.draw(now));
-  }
-
-  /// Paper is light and shows a moment: the figure as it stands now, in the light scheme, into `still`.
-  private copy(still: HTMLCanvasElement): void {
-    if (!this.present) return;
-    this.bridge.scheme(false);
-    this.bridge.still();
-    still.width = this.canvas.width;
-    still.height = this.canvas.height;
-    this.canvas.after(still);
-    still.getContext('2d')?.drawImage(this.canvas, 0, 0);  // in the same task: what is drawn does not last longer
-    this.bridge.scheme(matchMedia('(prefers-color-scheme: dark)').matches);
-    this.request();
   }
 
   private draw(now: number): void {

@@ -10,4 +10,6 @@ set(KNOTWORK_WEB_TESTS
   unit/local_curve_hold_test.cpp
   unit/patch_drag_test.cpp
   unit/stage_grid_test.cpp
+  unit/still_test.cpp
+  unit/words_test.cpp
 )

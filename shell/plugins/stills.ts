@@ -1,0 +1,70 @@
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import type { FigureSource } from './chapter';
+
+interface StillModule {
+  ccall(name: string, result: 'string', types: string[], values: (string | boolean)[]): string;
+}
+
+/// Still pictures of figures as SVG, drawn from their scenes by the program that the module's build makes beside it
+/// (web/still_main.cpp).
+export class Stills {
+  private readonly module: StillModule;
+  private readonly scenes: string;
+
+  private constructor(module: StillModule, scenes: string) {
+    this.module = module;
+    this.scenes = scenes;
+  }
+
+  static async make(moduleDirectory: string, scenes: string): Promise<Stills> {
+    const path = join(moduleDirectory, 'knotwork_stills.js');
+    if (!existsSync(path)) throw new Error(`${path} is missing: build it with the module (cmake --workflow --preset web)`);
+    const create = createRequire(import.meta.url)(path) as () => Promise<StillModule>;
+    return new Stills(await create(), scenes);
+  }
+
+  /// A light one takes half the bytes.
+  picture({ id, start, values }: FigureSource, light = false): string {
+    const scene = start === 'file' ? readFileSync(join(this.scenes, `${id}.json`), 'utf8') : '';
+    const types = ['string', 'string', 'string', 'boolean'];
+    const svg = this.module.ccall('knotwork_still', 'string', types, [start, scene, values, light]);
+    if (!svg.startsWith('<svg')) throw new Error(`the figure "${id}" has no still picture: ${svg}`);
+    return svg;
+  }
+
+  /// Into files <id>.svg of a folder, the first one also as hero.svg.
+  write(folder: string, figures: readonly FigureSource[]): void {
+    rmSync(folder, { recursive: true, force: true });
+    mkdirSync(folder, { recursive: true });
+    for (const figure of figures) writeFileSync(join(folder, `${figure.id}.svg`), this.picture(figure));
+    if (figures[0]) writeFileSync(join(folder, 'hero.svg'), this.picture(figures[0], true));
+  }
+}
+
+/// The page's HTML with each figure's still picture in it: shown without scripts, without WebGL and in print (prose.css).
+/// Its words are those of the caption.
+export function withStills(html: string, figures: readonly FigureSource[]): string {
+  return figures.reduce((page, { id }) => {
+    const mark = `<div id="caption-${id}">`;
+    const start = page.indexOf(mark);
+    if (start < 0) throw new Error(`the figure "${id}" has no caption`);
+    const end = page.indexOf('</div>', start);
+    const alt = plain(page.slice(start + mark.length, end));
+    const image =
+      `<img class="still" src="./generated/stills/${id}.svg" width="720" height="440" loading="lazy" alt="${alt}">`;
+    return `${page.slice(0, start)}${image}${page.slice(start)}`;
+  }, html);
+}
+
+/// The first sentence, formulas left out.
+function plain(caption: string): string {
+  const text = caption
+    .replace(/<!--tex-->[\s\S]*?<!--\/tex-->/g, '…')
+    .replace(/<[^>]*>/g, '')
+    .replace(/\s+/g, ' ')
+    .replaceAll('"', '&quot;')
+    .trim();
+  return /^.{20,}?[.:](?= |$)/.exec(text)?.[0] ?? text;
+}

@@ -1,0 +1,106 @@
+#include "web/still.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "knotwork/scene/chapters.h"
+#include "knotwork/scene/commands.h"
+#include "web/composition.h"
+#include "web/still_surface.h"
+
+namespace knotwork::web::still_test {
+namespace {
+
+scene::Document started(std::string_view chapter) { return scene::find_chapter(chapter)->start_document(); }
+
+int count_of(std::string_view text, std::string_view part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+View view_of(const scene::Document& document, const Figure& figure) {
+  const Composition composition = compose(document.camera, outline(figure), {.width = 720, .height = 440}, {});
+  return make_view(composition.camera, composition.viewport);
+}
+
+TEST_CASE("every start document has a still picture, with all its handles") {
+  for (const scene::Chapter& chapter : scene::chapters()) {
+    CAPTURE(chapter.id);
+    const scene::Document document = chapter.start_document();
+    const std::string svg = still(document);
+    CHECK(svg.starts_with("<svg "));
+    CHECK(svg.ends_with("</svg>\n"));
+    CHECK(svg.find("nan") == svg.find("nant"));  // but for the word in a property's name
+    CHECK(count_of(svg, "<path") > 3);
+    CHECK(count_of(svg, "<g") == count_of(svg, "</g"));
+    const HandleGrid handles = handle_grid(scene::stage_shape(document));
+    if (document.display.handles) CHECK(count_of(svg, "<circle") >= handles.columns * handles.rows);
+  }
+}
+
+TEST_CASE("the same document gives the same picture, another one another") {
+  scene::Document document = started("bspline-curve");
+  const std::string before = still(document);
+  CHECK(still(document) == before);
+  REQUIRE(scene::apply(document, scene::SetParameter{"curve.parameter", 2.25}));
+  CHECK(still(document) != before);
+}
+
+TEST_CASE("a point of a plane curve lies where the camera sees it") {
+  const scene::Document document = started("bezier-curve");
+  const Figure figure = make_figure(scene::stage_shape(document), document.animation);
+  const View view = view_of(document, figure);
+  std::vector<Handle> handles;
+  take_handles(figure, scene::stage_shape(document), handles);
+  const std::string svg = still(document);
+  for (const Handle& handle : handles) {
+    const glm::dvec3 at = *view.project(handle.position);
+    const auto half_pixels = [](double x) { return std::to_string(static_cast<long>(std::lround(2 * x))); };
+    const std::string disc = "cx=\"" + half_pixels(at.x) + "\" cy=\"" + half_pixels(at.y) + "\"";
+    CAPTURE(disc);
+    CHECK(svg.find(disc) != std::string::npos);
+  }
+}
+
+TEST_CASE("of a closed surface the pieces that face away are left out, of an open one none") {
+  scene::Document document = started("blending-surface");
+  const auto pieces = [&] {
+    const Figure figure = make_figure(scene::stage_shape(document), document.animation);
+    return surface_pieces(figure, document, view_of(document, figure), 48, 32).facets.size();
+  };
+  const std::size_t closed = pieces();
+  CHECK(closed > 500);
+  CHECK(closed < 1100);
+  REQUIRE(scene::apply(document, scene::SetParameter{"topology.u", std::string("open")}));
+  CHECK(pieces() > 1400);
+}
+
+TEST_CASE("hues are those of the patches: without patch colours the surface is grey") {
+  scene::Document document = started("blending-surface");
+  const auto chroma = [&] {
+    const Figure figure = make_figure(scene::stage_shape(document), document.animation);
+    float most = 0;
+    for (const Facet& facet : surface_pieces(figure, document, view_of(document, figure), 24, 16).facets) {
+      const auto [low, high] = std::minmax_element(facet.colour.begin(), facet.colour.end());
+      most = std::max(most, *high - *low);
+    }
+    return most;
+  };
+  CHECK(chroma() > 0.5F);
+  REQUIRE(scene::apply(document, scene::SetParameter{"display.colours", false}));
+  CHECK(chroma() < 0.1F);
+}
+
+TEST_CASE("a light picture has fewer pieces") {
+  const scene::Document document = started("blending-surface");
+  CHECK(still(document, {.pieces_u = 24, .pieces_v = 16}).size() < 0.6 * static_cast<double>(still(document).size()));
+}
+
+}  // namespace
+}  // namespace knotwork::web::still_test

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "web/figure.h"
+#include "web/theme.h"
+
+namespace knotwork::web {
+
+/// A piece of a surface in a still picture.
+struct Facet {
+  std::array<glm::dvec2, 4> corners;  ///< CSS pixels, in order round the piece
+  double depth;                       ///< of its middle along the view
+  Colour colour;
+};
+
+/// A piece of a knot line.
+struct FacetEdge {
+  glm::dvec2 start, end;  ///< CSS pixels
+  glm::dvec3 middle;      ///< in model space
+};
+
+struct SurfacePieces {
+  std::vector<Facet> facets;
+  std::vector<FacetEdge> knot_lines;
+};
+
+/// The figure's surface cut into about pieces_u x pieces_v flat pieces, lit as shaders/surface.frag lights it in the light scheme;
+/// pieces behind the eye are left out, and of a surface without a border those that face away. Empty for a curve.
+SurfacePieces surface_pieces(const Figure& figure, const scene::Document& document, const View& view, int pieces_u,
+                             int pieces_v);
+
+}  // namespace knotwork::web
