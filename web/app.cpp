@@ -228,12 +228,14 @@ bool App::enter_scene(const std::string& name) {
   return known;
 }
 
-void App::begin_scene() {
-  start_ = document_;
-  history_ = scene::History();
+void App::begin_scene(bool again) {
   if (framed_once_) camera_is_ours_ = recompose_ = compose_at_once_ = true;
-  notice_.clear();
-  spoken_.clear();
+  if (!again) {
+    start_ = document_;
+    history_ = scene::History();
+    notice_.clear();
+    spoken_.clear();
+  }
   changed();
 }
 

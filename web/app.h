@@ -63,8 +63,9 @@ class App {
   /// The page has many figures and one stage: each is a scene with a document and a history of its own. True: it is on
   /// the stage as it was left. False: it is new, with what is on the stage now, and the caller says what it shows.
   KNOTWORK_LATER bool enter_scene(const std::string& name);
-  /// What is on the stage now is the scene's start: there is nothing to undo, and the camera takes all of it into view.
-  KNOTWORK_LATER void begin_scene();
+  /// What is on the stage now is the scene's start: the camera takes all of it into view, and there is nothing to undo
+  /// unless the scene has come back there, `again`.
+  KNOTWORK_LATER void begin_scene(bool again);
   /// Points as text replace those on the stage; a refusal is shown as a notice too.
   KNOTWORK_LATER Status take_points(std::string_view text);
   /// Commands between an opened and a closed gesture are one step of the history.

@@ -165,7 +165,7 @@ EMSCRIPTEN_KEEPALIVE bool knotwork_enter_scene(const char* name) {
 EMSCRIPTEN_KEEPALIVE const char* knotwork_measure(const char* name) {
   return app() == nullptr ? no_app() : give(answer_measure(*app(), name));
 }
-EMSCRIPTEN_KEEPALIVE void knotwork_begin_scene() {
-  if (app() != nullptr) app()->begin_scene();
+EMSCRIPTEN_KEEPALIVE void knotwork_begin_scene(bool again) {
+  if (app() != nullptr) app()->begin_scene(again);
 }
 }

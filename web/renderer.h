@@ -31,7 +31,7 @@ struct Ribbon {
 struct Disc {
   glm::vec3 centre;
   float radius;    ///< CSS pixels
-  glm::vec4 fill;  ///< sRGB
+  glm::vec4 fill;  ///< sRGB; its opacity is the whole disc's, and 0 leaves the rim alone
   glm::vec3 rim;
   float rim_width;  ///< CSS pixels
 };

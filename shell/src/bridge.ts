@@ -211,9 +211,9 @@ export class Bridge {
   measure(name: string): number | null {
     return this.json('knotwork_measure', name) as number | null;
   }
-  /// What is on the stage now is the scene's start: there is nothing to undo.
-  begin(): void {
-    this.number('knotwork_begin_scene');
+  /// What is on the stage now is the scene's start, seen whole; nothing can be undone, unless it has come back there.
+  begin(again = false): void {
+    this.number('knotwork_begin_scene', Number(again));
   }
   select(handle: string): void {
     this.json('knotwork_select', handle);

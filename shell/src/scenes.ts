@@ -122,6 +122,7 @@ export class Scenes {
     this.bridge.gesture(true);
     try {
       this.load(figure, document);
+      this.bridge.begin(true);
     } finally {
       this.bridge.gesture(false);
     }

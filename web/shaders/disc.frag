@@ -13,6 +13,8 @@ void main() {
   float inner = 1.0 - smoothstep(v_radius - v_rim.w - 0.6, v_radius - v_rim.w + 0.6, distance_from_centre);
   float glow = 0.22 * exp(-max(distance_from_centre - v_radius, 0.0) / (1.1 * u_pixel_ratio)) * (1.0 - disc);
   vec3 c = mix(v_rim.rgb, v_fill.rgb, inner);
-  float alpha = (disc + glow * (1.0 - step(v_radius + 3.0 * u_pixel_ratio, distance_from_centre))) * u_opacity * v_fill.a;
-  colour = vec4(c * disc * u_opacity * v_fill.a, alpha);
+  // Without a fill there is the rim alone, a ring.
+  float opacity = u_opacity * (v_fill.a > 0.0 ? v_fill.a : 1.0 - inner);
+  float alpha = (disc + glow * (1.0 - step(v_radius + 3.0 * u_pixel_ratio, distance_from_centre))) * opacity;
+  colour = vec4(c * disc * opacity, alpha);
 }
