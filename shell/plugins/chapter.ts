@@ -36,7 +36,8 @@ export interface FigureSource {
   values: string;
 }
 
-export function renderChapter(source: string, mathematics: Mathematics): Chapter {
+/// Exercises are numbered within the chapter, whose number is `number`.
+export function renderChapter(source: string, mathematics: Mathematics, number = 0): Chapter {
   const head = /^---\n([\s\S]*?)\n---\n/.exec(source);
   if (!head) throw new Error('a chapter starts with a head between two lines of ---');
   const fields = new Map<string, string>();
@@ -52,14 +53,14 @@ export function renderChapter(source: string, mathematics: Mathematics): Chapter
   };
   const sections: Chapter['sections'] = [];
   const figures: FigureSource[] = [];
-  const html = markdown(mathematics, sections, figures).render(source.slice(head[0].length));
+  const html = markdown(mathematics, sections, figures, number).render(source.slice(head[0].length));
   return { id: field('id'), title: field('title'), summary: field('summary'), sections, figures, html };
 }
 
 /// Sources are named from here; every npm script runs in the shell's folder.
 const repository = '..';
 
-/// Chapters stand on one page: no two things in them may have one name.
+/// Chapters stand on one page: no two things in them may have one name, and what a link leads to is there.
 export function checkNames(chapters: readonly Chapter[]): void {
   const names = new Set<string>();
   const take = (name: string): void => {
@@ -71,6 +72,9 @@ export function checkNames(chapters: readonly Chapter[]): void {
     sections.forEach((section) => take(section.id));
     figures.forEach((figure) => take(`figure-${figure.id}`));
   }
+  for (const { id, html } of chapters)
+    for (const [, name] of html.matchAll(/<a [^>]*href="#([^"]*)"/g))
+      if (!names.has(name!)) throw new Error(`the chapter "${id}" links to "#${name}", which is not there`);
 }
 
 export function slug(title: string): string {
@@ -80,11 +84,16 @@ export function slug(title: string): string {
     .replace(/^-|-$/g, '');
 }
 
-function markdown(mathematics: Mathematics, sections: Chapter['sections'], figures: FigureSource[]): MarkdownIt {
+function markdown(
+  mathematics: Mathematics,
+  sections: Chapter['sections'],
+  figures: FigureSource[],
+  number: number,
+): MarkdownIt {
   const md = createMarkdown({ typographer: false, html: false });
   md.validateLink = (link) => !/^(javascript|vbscript|data|file):/i.test(link);
   addMathematics(md, mathematics);
-  addBlocks(md, figures);
+  addBlocks(md, figures, number);
   addLinks(md);
   md.renderer.rules['heading_open'] = (tokens, index, options, _env, self) => {
     const token = tokens[index]!;
@@ -221,7 +230,7 @@ function block(
       parseGoal(keyed.get('goal text') ?? '');
       return [
         `<section class="exercise" ${figureData(source)} data-goal="${escaped(keyed.get('goal text') ?? '')}"` +
-          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise</h3>` +
+          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise <span>${part('number')}</span></h3>` +
           `<div id="caption-${source.id}">`,
         `</div><details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
           `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}` +
@@ -245,7 +254,8 @@ function block(
 /// The lines `key: text` at the end of an exercise.
 const keyedLine = /^(goal|hint|done):\s+(.+)$/;
 
-function addBlocks(md: MarkdownIt, figures: FigureSource[]): void {
+function addBlocks(md: MarkdownIt, figures: FigureSource[], number: number): void {
+  let exercises = 0;
   md.block.ruler.before(
     'fence',
     'blocks',
@@ -270,6 +280,7 @@ function addBlocks(md: MarkdownIt, figures: FigureSource[]): void {
         keyed.set(key, md.renderInline(text));
         keyed.set(`${key} text`, text);
       }
+      if (name === 'exercise') keyed.set('number', `${number}.${++exercises}`);
       const [open, close] = block(name, words, figures, keyed);
       state.push('html_block', '', 0).content = `${open}\n`;
       const lineMax = state.lineMax;

@@ -35,7 +35,7 @@ export function page(options: PageOptions): Plugin {
       .map((name) => {
         try {
           const { source, own } = language.chapter(name);
-          const chapter = renderChapter(source, mathematics);
+          const chapter = renderChapter(source, mathematics, Number.parseInt(name, 10));
           return { ...chapter, html: withStills(chapter.html, chapter.figures), foreign: !own };
         } catch (error) {
           throw new Error(`chapters/${name}: ${error instanceof Error ? error.message : String(error)}`);

@@ -128,3 +128,13 @@ test('every chapter of the page renders, and each of its figures starts from som
   const files = figures.filter(({ start }) => start === 'file').map(({ id }) => id);
   assert.deepEqual(scenes.filter((scene) => !files.includes(scene)), [], 'scenes that no figure shows');
 });
+
+test('exercises are numbered, and a link that leads nowhere is named', () => {
+  const exercise = (id: string): string =>
+    `::: exercise ${id} bezier-curve\nDo it.\ngoal: points.moved = 1\nhint: Try.\ndone: Well.\n:::\n\n`;
+  const { html } = renderChapter(head + exercise('one') + exercise('two'), new Mathematics(), 4);
+  assert.match(html, /Exercise <span>4\.1<[\s\S]*Exercise <span>4\.2</);
+  const linked = (to: string): Chapter => renderChapter(`${head}[there](#${to})\n\n## A place`, new Mathematics());
+  checkNames([linked('a-place')]);
+  assert.throws(() => checkNames([linked('no-place')]), /"#no-place"/);
+});

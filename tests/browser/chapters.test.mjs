@@ -1,5 +1,6 @@
 // The chapters: every figure comes to the stage, every phrase does what it says, exercises notice that they are solved.
 import assert from 'node:assert/strict';
+import { pullPatch } from './examples/pull_patch.mjs';
 import { pageTest } from './page_test.mjs';
 import {
   call, documentOf, drag, handlesOf, nextUndo, parameter, plus, scrollTo, settled, shownFigure, until,
@@ -115,6 +116,14 @@ pageTest('the stage goes with the reader, and what was done to a figure is there
   await page.locator('#figure-de-casteljau [data-again]').click();
   assert.deepEqual((await documentOf(page)).objects, undone.objects);
   assert.equal(start, 'hold-it');
+});
+
+pageTest('the script of the chapter "In code" does what the chapter says', { followed: true }, async (page) => {
+  const at = await page.evaluate(`(${pullPatch})(window.knotwork)`);
+  assert.deepEqual(Object.keys(at), ['S', 'Su', 'Sv']);
+  const [surface] = (await documentOf(page)).objects;
+  assert.equal(surface.locals.u, 8);
+  assert.deepEqual(surface.patches.map(({ i, j, translation }) => [i, j, ...translation]), [[3, 0, 0, 0, 0.4]]);
 });
 
 pageTest('a link into a far chapter leads there, and the page does not move on', whole, async (page) => {

@@ -56,5 +56,6 @@ set(KNOTWORK_GEOMETRY_TESTS
   examples/blending_surface.cpp
   examples/bspline.cpp
   examples/fitting.cpp
+  examples/in_code.cpp
   examples/subdivision.cpp
 )

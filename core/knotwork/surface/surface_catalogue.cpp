@@ -253,11 +253,13 @@ constexpr CatalogueSurfaceRow surface_rows[]{
        return point_of(r * (cos(u) + u * sin(u)), r * (sin(u) - u * cos(u)), m[0] * log_tan_half(v) + q * cos(v));
      }},
     // Minimal surfaces both.
+    // [enneper]
     {"enneper", "Enneper's surface", "Enneper surface", enneper_measures, open_on(-1.5, 1.5), open_on(-1.5, 1.5),
      [](const double* m, const auto& u, const auto& v) {
        const auto a = u * u, b = v * v;
        return scaled(m[0], u * (1 - a / 3 + b), v * (b / 3 - a - 1), a - b);
      }},
+    // [/enneper]
     {"helicoid", "Helicoid", "helicoid", helicoid_measures, open_on(0, 15), open_on(-1, 1),
      [](const double* m, const auto& u, const auto& v) {
        return point_of(m[0] * v * sin(u), m[1] * v * cos(u), m[2] * u);
