@@ -62,7 +62,7 @@ double knotwork_revision();
 const char* knotwork_select(const char* handle);
 /// Points as text (point_text.h) replace those of the figure on the stage.
 const char* knotwork_points(const char* text);
-bool knotwork_enter_scene(const char* name);  ///< true: it has been on the stage before, and is as it was left
-void knotwork_begin_scene(bool again);         ///< again: the history stays, so that it can be undone
+bool knotwork_enter_scene(const char* name);     ///< true: it has been on the stage before, and is as it was left
+void knotwork_begin_scene(bool again);           ///< again: the history stays, so that it can be undone
 const char* knotwork_measure(const char* name);  ///< scene::measure(), null where there is none
 }

@@ -8,11 +8,12 @@ import { join } from 'node:path';
 const folder = fileURLToPath(new URL('../chapters', import.meta.url));
 const own = join(folder, 'spelling.txt');
 
-/// What is read as prose: neither mathematics nor code, links' targets, block heads nor goals. Lines stay where they are.
+/// What is read as prose: titles and summaries, but neither ids, mathematics, code, links' targets, block heads nor goals.
+/// Lines stay where they are.
 function prose(source) {
   const blank = (text) => text.replace(/[^\n]/g, ' ');
   return source
-    .replace(/^---\n[\s\S]*?\n---\n/, blank)
+    .replace(/^---\n[\s\S]*?\n---\n/, (head) => head.replace(/^(id:.*|title:|summary:|---)/gm, blank))
     .replace(/\$\$[\s\S]*?\$\$|\$[^$]*\$|`[^`]*`/g, blank)
     .replace(/\]\([^)]*\)/g, (target) => ']' + blank(target.slice(1)))
     .replace(/^(:::.*|goal:.*)$/gm, blank)
@@ -21,7 +22,8 @@ function prose(source) {
 
 function unknown(words) {
   const run = spawnSync('hunspell', ['-d', 'en_GB', '-p', own, '-l'], { input: words.join('\n'), encoding: 'utf8' });
-  if (run.status !== 0) throw new Error(`hunspell: ${run.error?.message ?? run.stderr}`);
+  if (run.error) throw new Error('the spelling is checked by hunspell: install it with its British dictionary (hunspell-en-gb)');
+  if (run.status !== 0) throw new Error(`hunspell: ${run.stderr}`);
   return new Set(run.stdout.split('\n').filter(Boolean));
 }
 
