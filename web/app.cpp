@@ -23,6 +23,7 @@
 #include "web/figure_picture.h"
 #include "web/model_ornaments.h"
 #include "web/net_ornaments.h"
+#include "web/stage_ornaments.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
@@ -721,9 +722,7 @@ const Picture& App::picture() {
   picture.floor = floor_;
   add_to_picture(picture, *geometry_.figure, {document_, interaction_, handles(), roll_.active});
   if (document_.display.comb) add_curvature_comb(picture, *geometry_.figure);
-  for (const Eigen::Vector3d& ring : document_.display.rings)
-    picture.overlay_discs.push_back(
-        {glm::vec3(to_glm(ring)), 11, to_glm(theme_.paper, 0), to_glm(theme_.accent), 2.5F});
+  if (!document_.display.rings.empty()) add_rings(picture);
   return picture;
 }
 

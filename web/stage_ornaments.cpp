@@ -153,6 +153,15 @@ void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& 
   if (look.state.selected && !look.rolling) add_gizmo(picture, surface, object, look.state);
 }
 
+void add_rings(Picture& picture) {
+  const glm::vec4 hollow(0);
+  for (const Eigen::Vector3d& ring : picture.display.rings) {
+    const glm::vec3 place(to_glm(ring));
+    picture.overlay_discs.push_back({place, 12.5F, hollow, to_glm(picture.theme.paper), 5.5F});
+    picture.overlay_discs.push_back({place, 11, hollow, to_glm(picture.theme.accent), 2.5F});
+  }
+}
+
 Probe probe_at(const BlendingSurface& surface, double u, double v) {
   const SurfaceCurvature curved = curvature(surface.evaluate(u, v));
   const int span = surface.knots_u().span(surface.knots_u().reduced(u));

@@ -27,6 +27,9 @@ KNOTWORK_LATER void add_patch_frames(Picture& picture, const BlendingSurface& su
 /// Unit normals of the surface as thin hairs on a regular grid of each knot interval.
 KNOTWORK_LATER void add_normals(Picture& picture, const KnottedSurface& surface);
 
+/// The rings of an exercise, on a band of paper so that they stand out from every hue.
+KNOTWORK_LATER void add_rings(Picture& picture);
+
 /// The surface itself, its handles and what display asks for.
 void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& look);
 inline std::vector<StageLabel> labels_of(const BlendingFigure&, std::span<const Handle>, const View&, const Theme&) {
