@@ -10,12 +10,20 @@ const storageKey = 'knotwork.solved';
 export class Exercises {
   private readonly rows: { figure: Figure; goal: Comparison[]; state: HTMLElement; done: HTMLElement }[] = [];
   private readonly solved: Set<string>;
+  private held = false;
   private readonly scenes: Scenes;
   private readonly bridge: Bridge;
   private readonly announce: (words: string) => void;
   private readonly forgetButton = document.getElementById('forget');
 
-  constructor(figures: readonly Figure[], scenes: Scenes, bridge: Bridge, announce: (words: string) => void) {
+  /// `look` has to call update().
+  constructor(
+    figures: readonly Figure[],
+    scenes: Scenes,
+    bridge: Bridge,
+    announce: (words: string) => void,
+    look: () => void,
+  ) {
     this.scenes = scenes;
     this.bridge = bridge;
     this.announce = announce;
@@ -27,12 +35,29 @@ export class Exercises {
       if (goal && state && done) this.rows.push({ figure, goal: parseGoal(goal), state, done });
     }
     this.forgetButton?.addEventListener('click', () => this.forget());
+    let letGo = 0;
+    const hold = (): void => {
+      clearTimeout(letGo);
+      this.held = true;
+    };
+    const release = (): void => {
+      // A frame or two later the stage has seen it, too.
+      letGo = window.setTimeout(() => {
+        this.held = false;
+        look();
+      }, 100);
+    };
+    addEventListener('pointerdown', hold, true);
+    for (const end of ['pointerup', 'pointercancel']) addEventListener(end, release, true);
     this.show();
   }
 
   update(parameters: ReadonlyMap<string, Parameter>): void {
     const row = this.rows.find(({ figure }) => figure === this.scenes.shown);
     if (!row || this.solved.has(row.figure.id)) return;
+    // A hand that seeks a place has found it when it passes there. A slider passes all numbers: what is to be chosen has
+    // been chosen when it is let go.
+    if (this.held && !row.goal.some(({ sign }) => /[<>]/.test(sign))) return;
     const look = (name: string): Parameter['value'] | undefined =>
       parameters.get(name)?.value ?? this.bridge.measure(name) ?? undefined;
     if (!reached(row.goal, look)) return;

@@ -18,7 +18,11 @@ export class FigureTools {
       const show = figure.element.querySelector<HTMLButtonElement>('[data-show]');
       const again = figure.element.querySelector<HTMLButtonElement>('[data-again]');
       if (!show || !again) continue;
-      show.addEventListener('click', () => void scenes.show(figure).catch(failed));
+      // Of a figure that is there already, it leads onto the stage: for keys the way through the prose would be long.
+      show.addEventListener('click', () => {
+        if (figure === scenes.shown) canvas.focus({ preventScroll: true });
+        else void scenes.show(figure).catch(failed);
+      });
       again.addEventListener('click', () => {
         if (again.ariaDisabled === 'false') void scenes.again(figure).catch(failed);
       });
@@ -37,7 +41,6 @@ export class FigureTools {
       const here = figure === shown;
       figure.element.toggleAttribute('data-shown', here);
       show.textContent = here ? say('On the stage') : say('Show on the stage');
-      show.ariaDisabled = String(here);
       again.ariaDisabled = String(!here || !canUndo);  // disabled, it would lose the focus
     }
   }

@@ -32,6 +32,7 @@ export class Page {
   private readonly bridge: Bridge;
   private revision = -1;
   private lastNotice = '';
+  private praisedUntil = 0;
   private lastUpdate = 0;
   private late = 0;
 
@@ -46,7 +47,9 @@ export class Page {
     const failed = (error: unknown): void => this.refuse(error);
     this.scenes = new Scenes(bridge, figures, () => this.update(), failed);
     this.figureTools = new FigureTools(figures, this.scenes, canvas, failed);
-    this.exercises = new Exercises(figures, this.scenes, bridge, (words) => this.announce(words));
+    this.exercises = new Exercises(
+      figures, this.scenes, bridge, (words) => this.praise(words), () => this.update(),
+    );
     this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
       const phrase = { button, action: parseAction(button.dataset['run']!), figure: this.scenes.about(button) };
@@ -117,7 +120,7 @@ export class Page {
     this.history.update(state);
     const description = describe(rows, state.selected);
     if (this.description.textContent !== description) this.description.textContent = description;
-    if (state.notice !== this.lastNotice) this.announce(say(state.notice));
+    if (state.notice !== this.lastNotice && performance.now() > this.praisedUntil) this.announce(say(state.notice));
     this.lastNotice = state.notice;
     this.exercises.update(rows);  // what it says is said last
   }
@@ -158,6 +161,12 @@ export class Page {
       if (row) this.controls.push(makeControl(place, row, this.setter));
       return !row;
     });
+  }
+
+  /// An exercise is often solved in the middle of a drag. That the hand has let go is not said over it.
+  private praise(text: string): void {
+    this.praisedUntil = performance.now() + 4000;
+    this.announce(text);
   }
 
   private announce(text: string): void {
