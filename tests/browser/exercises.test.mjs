@@ -249,6 +249,20 @@ const solutions = {
     wrong: async (page) => press(page, 'topology.u: open'),
     solve: async (page) => press(page, 'topology.v: open'),
   },
+  'seven-by-three': {
+    wrong: async (page) => slide(page, 'locals.u', 7),
+    solve: async (page) => {
+      await slide(page, 'locals.u', 7);
+      await slide(page, 'locals.v', 3);
+    },
+  },
+  'polygon-itself': {
+    wrong: async (page) => press(page, 'curve.topology: closed'),
+    solve: async (page) => {
+      await press(page, 'curve.topology: closed');
+      await slide(page, 'curve.degree', 1);
+    },
+  },
 };
 
 const exercisesOf = (page) =>
@@ -318,7 +332,7 @@ pageTest('each exercise has a solution here', {}, async (page) => {
 });
 const chapters = [
   'bezier-curves', 'bsplines', 'fitting', 'subdivision-curves', 'blending-functions', 'blending-splines',
-  'tensor-surfaces', 'blending-surface',
+  'tensor-surfaces', 'blending-surface', 'in-code',
 ];
 
 for (const chapter of chapters) {
