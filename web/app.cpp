@@ -19,7 +19,6 @@
 #include "knotwork/scene/point_text.h"
 #include "web/allocations.h"
 #include "web/composition.h"
-#include "web/curvature_comb.h"
 #include "web/figure_picture.h"
 #include "web/model_ornaments.h"
 #include "web/net_ornaments.h"
@@ -323,6 +322,7 @@ void App::update_geometry() {
     update_figure(geometry_.figure, shape, document_.animation);
     geometry_.made_from = shape;
     geometry_.animation = document_.animation;
+    geometry_.comb.reset();
     handles_.clear();
   }
   evaluating_ms_ += milliseconds() - start;
@@ -580,7 +580,22 @@ void App::make_room_for(const std::vector<glm::dvec3>& next) {
 
 void App::frame_all() {
   update_geometry();
-  compose_for(outline(*geometry_.figure), camera_ms);
+  compose_for(extent(), camera_ms);
+}
+
+/// What the picture of the figure has to have room for.
+std::vector<glm::dvec3> App::extent() {
+  std::vector<glm::dvec3> points = outline(*geometry_.figure);
+  if (document_.display.comb)
+    add_extent(points, document_.display, comb());
+  else if (!document_.display.rings.empty())
+    add_extent(points, document_.display, {});
+  return points;
+}
+
+std::span<const CombHair> App::comb() {
+  if (!geometry_.comb) geometry_.comb = curvature_comb(*geometry_.figure);
+  return *geometry_.comb;
 }
 
 // --- Frame ---------------------------------------------------------------------------------------------------------
@@ -672,9 +687,8 @@ void App::place_picture() {
   const scene::Camera camera = document_.camera;
   const bool ours = camera_is_ours_;
   // A surface that rolls gets the room that it will need.
-  const std::vector<glm::dvec3> points = roll_.active
-                                             ? outline(make_figure(scene::stage_shape(document_), document_.animation))
-                                             : outline(*geometry_.figure);
+  const std::vector<glm::dvec3> points =
+      roll_.active ? outline(make_figure(scene::stage_shape(document_), document_.animation)) : extent();
   compose_for(points, framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
   framed_once_ = true;
   compose_at_once_ = false;
@@ -721,7 +735,7 @@ const Picture& App::picture() {
   picture.display = document_.display;
   picture.floor = floor_;
   add_to_picture(picture, *geometry_.figure, {document_, interaction_, handles(), roll_.active});
-  if (document_.display.comb) add_curvature_comb(picture, *geometry_.figure);
+  if (document_.display.comb) add_comb(picture, comb());
   if (!document_.display.rings.empty()) add_rings(picture);
   return picture;
 }

@@ -11,6 +11,7 @@
 #include "knotwork/scene/history.h"
 #include "knotwork/scene/later.h"
 #include "knotwork/scene/surface_builder.h"
+#include "web/curvature_comb.h"
 #include "web/interaction.h"
 #include "web/interface_style.h"
 #include "web/panels.h"
@@ -110,7 +111,8 @@ class App {
   /// What stands on the stage, and what it was made from. A blending surface is rebuilt by parts: edits and clock change
   /// the maps alone.
   struct Geometry {
-    std::optional<Figure> figure;  ///< there is one from the first frame on
+    std::optional<Figure> figure;               ///< there is one from the first frame on
+    std::optional<std::vector<CombHair>> comb;  ///< of a curve; made when first asked for
     scene::Shape made_from;
     scene::Animation animation;
     scene::Roll roll{-1, -1};
@@ -138,6 +140,8 @@ class App {
   void say(std::string notice);
   void make_room_for(const std::vector<glm::dvec3>& next);
   void frame_all();
+  std::vector<glm::dvec3> extent();
+  KNOTWORK_LATER std::span<const CombHair> comb();
   void place_picture();
   void compose_for(const std::vector<glm::dvec3>& points, double duration);
   void snap();

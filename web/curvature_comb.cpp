@@ -13,8 +13,8 @@ namespace knotwork::web {
 namespace {
 
 constexpr int most_hairs = 900, hairs_of_piece = 36, least_hairs = 6;
-constexpr double scale = 0.035;  ///< hair = scale * size^2 * curvature, of a curve of this size (its box's diagonal)
-constexpr double longest = 0.6;  ///< of the size: what turns more sharply is cut off
+constexpr double scale = 0.035;   ///< hair = scale * size^2 * curvature, of a curve of this size (its box's diagonal)
+constexpr double longest = 0.45;  ///< of the size: what turns more sharply is cut off
 constexpr float hair_ink = 1, tip_ink = 1.8F;
 
 /// c'' across c', over |c'|^2: towards the centre of curvature, as long as the curvature; nothing without speed.
@@ -24,16 +24,16 @@ Eigen::Vector3d curvature_vector(const std::array<Eigen::Vector3d, 3>& c) {
   return (c[2] - c[2].dot(c[1]) / speed2 * c[1]) / speed2;
 }
 
-void add_comb(Picture& picture, const CurveView& view) {
+std::vector<CombHair> comb_of(const CurveView& view) {
   const std::vector<double> ends = piece_ends(view.start, view.end, view.breaks);
   const int pieces = static_cast<int>(ends.size()) - 1;
   const int hairs =
       std::clamp(most_hairs / std::max(pieces, 1), least_hairs, pieces == 1 ? 4 * hairs_of_piece : hairs_of_piece);
-  struct Hair {
+  struct Bend {
     Eigen::Vector3d foot, bend;
   };
-  std::vector<Hair> comb;
-  comb.reserve(static_cast<std::size_t>(pieces) * static_cast<std::size_t>(hairs + 1));
+  std::vector<Bend> bends;
+  bends.reserve(static_cast<std::size_t>(pieces) * static_cast<std::size_t>(hairs + 1));
   Eigen::AlignedBox3d box;
   for (int piece = 0; piece < pieces; ++piece) {
     const double from = ends[static_cast<std::size_t>(piece)], to = ends[static_cast<std::size_t>(piece) + 1];
@@ -41,35 +41,48 @@ void add_comb(Picture& picture, const CurveView& view) {
       const double t = k == hairs ? just_before(to) : std::lerp(from, to, static_cast<double>(k) / hairs);
       std::array<Eigen::Vector3d, 3> c;
       view.evaluate(t, c);
-      const Hair hair{c[0], curvature_vector(c)};
-      comb.push_back(hair);
+      bends.push_back({c[0], curvature_vector(c)});
       box.extend(c[0]);
     }
   }
   const double size = box.diagonal().norm();
-  const auto tip = [&](const Hair& hair) {
-    const double length = scale * size * size * hair.bend.norm();
+  std::vector<CombHair> comb;
+  comb.reserve(bends.size());
+  for (const auto& [foot, bend] : bends) {
+    const double length = scale * size * size * bend.norm();
     const double cut = length > longest * size ? longest * size / length : 1;
-    return glm::vec3(to_glm(Eigen::Vector3d(hair.foot - cut * scale * size * size * hair.bend)));
-  };
-  const glm::vec4 faint = to_glm(picture.theme.accent, 0.45F), strong = to_glm(picture.theme.accent, 0.9F);
-  for (std::size_t k = 0; k < comb.size(); ++k) {
-    picture.ribbons.push_back({glm::vec3(to_glm(comb[k].foot)), tip(comb[k]), faint, hair_ink});
-    const bool last_of_piece = (k + 1) % static_cast<std::size_t>(hairs + 1) == 0;
-    if (!last_of_piece) picture.ribbons.push_back({tip(comb[k]), tip(comb[k + 1]), strong, tip_ink});
+    const Eigen::Vector3d tip = foot - cut * scale * size * size * bend;
+    const bool last = (comb.size() + 1) % static_cast<std::size_t>(hairs + 1) == 0;
+    comb.push_back({glm::vec3(to_glm(foot)), glm::vec3(to_glm(tip)), last});
   }
+  return comb;
 }
 
 }  // namespace
 
-void add_curvature_comb(Picture& picture, const Figure& figure) {
-  if (const auto* curve = std::get_if<scene::CurveFigure>(&figure)) add_comb(picture, curve_view(curve->curve));
-  if (const auto* fit = std::get_if<scene::FitFigure>(&figure)) add_comb(picture, curve_view(fit->curve.curve));
+std::vector<CombHair> curvature_comb(const Figure& figure) {
+  if (const auto* curve = std::get_if<scene::CurveFigure>(&figure)) return comb_of(curve_view(curve->curve));
+  if (const auto* fit = std::get_if<scene::FitFigure>(&figure)) return comb_of(curve_view(fit->curve.curve));
   if (const auto* polygon = std::get_if<scene::SubdivisionFigure>(&figure))
-    add_comb(picture, curve_view(polygon->limit.curve));
-  if (const auto* model = std::get_if<scene::ModelCurveFigure>(&figure)) add_comb(picture, curve_view(model->model));
+    return comb_of(curve_view(polygon->limit.curve));
+  if (const auto* model = std::get_if<scene::ModelCurveFigure>(&figure)) return comb_of(curve_view(model->model));
   if (const auto* blending = std::get_if<scene::BlendingCurveFigure>(&figure))
-    add_comb(picture, curve_view(blending->curve));
+    return comb_of(curve_view(blending->curve));
+  return {};
+}
+
+void add_extent(std::vector<glm::dvec3>& points, const scene::Display& display, std::span<const CombHair> comb) {
+  for (const Eigen::Vector3d& ring : display.rings) points.push_back(to_glm(ring));
+  for (const CombHair& hair : comb) points.emplace_back(hair.tip);
+}
+
+void add_comb(Picture& picture, std::span<const CombHair> comb) {
+  const glm::vec4 faint = to_glm(picture.theme.accent, 0.45F), strong = to_glm(picture.theme.accent, 0.9F);
+  for (std::size_t k = 0; k < comb.size(); ++k) {
+    picture.ribbons.push_back({comb[k].foot, comb[k].tip, faint, hair_ink});
+    if (!comb[k].ends_piece && k + 1 < comb.size())
+      picture.ribbons.push_back({comb[k].tip, comb[k + 1].tip, strong, tip_ink});
+  }
 }
 
 }  // namespace knotwork::web

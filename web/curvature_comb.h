@@ -1,13 +1,28 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "knotwork/later.h"
 #include "web/figure_picture.h"
 
 namespace knotwork::web {
 
+struct CombHair {
+  glm::vec3 foot, tip;
+  bool ends_piece;  ///< the next hair belongs to another piece of the curve
+};
+
 /// The curvature comb of a curve: at many places a hair away from the centre of curvature, as long as the curvature
-/// there times a fixed share of the curve's size squared, and a line along the tips. Where pieces of the curve meet the
-/// comb shows both sides: a step in it is a curvature that jumps. Nothing for surfaces.
-KNOTWORK_LATER void add_curvature_comb(Picture& picture, const Figure& figure);
+/// there times a fixed share of the curve's size squared; what would be longer than 0.45 of the size is cut off. Where
+/// pieces of the curve meet the comb has both sides: a step in it is a curvature that jumps. Nothing for surfaces.
+KNOTWORK_LATER std::vector<CombHair> curvature_comb(const Figure& figure);
+
+/// What a picture of a figure has to have room for beside its outline: rings, and the comb.
+KNOTWORK_LATER void add_extent(std::vector<glm::dvec3>& points, const scene::Display& display,
+                               std::span<const CombHair> comb);
+
+/// The hairs, and a line along the tips of each piece.
+KNOTWORK_LATER void add_comb(Picture& picture, std::span<const CombHair> comb);
 
 }  // namespace knotwork::web

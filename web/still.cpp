@@ -194,6 +194,7 @@ struct SceneCopy {
   const scene::Document& document;
   Figure& figure;
   std::span<const Handle> handles;
+  std::span<const CombHair> comb;
   const View& view;
 
   Picture picture(bool dark) const {
@@ -204,7 +205,7 @@ struct SceneCopy {
     picture.display = document.display;
     const InteractionState untouched;
     add_to_picture(picture, figure, {document, untouched, handles, false});
-    if (document.display.comb) add_curvature_comb(picture, figure);
+    add_comb(picture, comb);
     for (const Eigen::Vector3d& ring : document.display.rings)
       picture.overlay_discs.push_back(
           {glm::vec3(to_glm(ring)), 11, to_glm(picture.theme.paper, 0), to_glm(picture.theme.accent), 2.5F});
@@ -269,27 +270,19 @@ std::string still(const scene::Document& document, const StillSize& size) {
   const scene::Shape& shape = scene::stage_shape(document);
   Figure figure = make_figure(shape, document.animation);
   std::vector<glm::dvec3> points = outline(figure);
+  const std::vector<CombHair> comb = document.display.comb ? curvature_comb(figure) : std::vector<CombHair>{};
+  add_extent(points, document.display, comb);
   // A surface's shadow needs room below it.
   const std::array<std::array<double, 4>, 1> foot{{{0, 0.84 * size.height, size.width, 0.16 * size.height}}};
   const std::span<const std::array<double, 4>> below(foot.data(), surface_of(figure) ? 1 : 0);
-  const auto composed = [&] {
-    return compose(document.camera, points, {.width = size.width, .height = size.height}, below);
-  };
+  const Composition composition = compose(document.camera, points, {.width = size.width, .height = size.height}, below);
   scene::Document seen = document;
-  Composition composition = composed();
-  if (document.display.comb) {  // it stands out from the curve
-    Picture comb;
-    comb.view = make_view(composition.camera, composition.viewport);
-    add_curvature_comb(comb, figure);
-    for (const Ribbon& ribbon : comb.ribbons) points.emplace_back(ribbon.end);
-    composition = composed();
-  }
   seen.camera = composition.camera;
   const View view = make_view(composition.camera, composition.viewport);
   std::vector<Handle> handles;
   take_handles(figure, shape, handles);
   for (Handle& handle : handles) handle.screen = view.project(handle.position);
-  const SceneCopy copy{seen, figure, handles, view};
+  const SceneCopy copy{seen, figure, handles, comb, view};
   const Picture light = copy.picture(false), dark = copy.picture(true);
   Painter painter{view, {}};
 
