@@ -16,8 +16,8 @@
     .catch(() => {})
     .then(() => root.classList.remove('arriving'));
 
-  // Chapters far below are laid out after the figure's first picture (src/main.ts), or it would wait for them. Who comes
-  // by a link into the page, or back to a place in it, gets it whole.
+  // The chapters after the first are laid out, and their typefaces fetched, behind the figure's first picture
+  // (src/main.ts), or it would wait for them. Who comes by a link into the page, or back to a place in it, gets it whole.
   const [entry] = performance.getEntriesByType('navigation');
   if (!location.hash && entry?.type === 'navigate') {
     root.classList.add('early');

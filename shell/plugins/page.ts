@@ -118,7 +118,7 @@ export function head(options: PageOptions): Plugin {
           preload(file, { rel: 'preload', as: 'fetch', crossorigin: true });
         for (const file of files.filter((name) => /\/knotwork-[\w-]+\.js$/.test(name)))
           preload(file, { rel: 'modulepreload', crossorigin: true });
-        for (const face of ['serif', 'stage-400', 'stage-600', 'serif-italic', 'katex-Main-Regular', 'katex-Math-Italic'])
+        for (const face of ['serif', 'stage-400', 'stage-600'])
           for (const file of files.filter((name) => new RegExp(`/${face}-[\\w-]{8}\\.(woff2|ttf)$`).test(name)))
             preload(file, { rel: 'preload', as: 'font', type: `font/${file.split('.').at(-1)}`, crossorigin: true });
         const meta = `<meta http-equiv="Content-Security-Policy" content="${options.policy}">`;
