@@ -9,7 +9,7 @@ import { Stills, withStills } from './stills';
 
 export interface PageOptions {
   root: string;             ///< the shell's folder
-  moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm and later.wasm are
+  moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm, later.wasm and knotwork_stills.js are
   policy: string;           ///< content security policy of the built page
   sourceUrl: string;        ///< where the source can be read; '' for no link
   language: string;         ///< of the page: see language.ts
@@ -26,6 +26,7 @@ export function page(options: PageOptions): Plugin {
   const chapterDirectory = join(options.root, 'chapters');
   const language = new Language(options.root, options.language);
   let chapters: PageChapter[] = [];
+  let stills: Stills | undefined;
 
   const prepare = async (): Promise<void> => {
     const mathematics = new Mathematics();
@@ -43,7 +44,7 @@ export function page(options: PageOptions): Plugin {
       });
     checkNames(chapters);
     mkdirSync(generated, { recursive: true });
-    const stills = await Stills.make(options.moduleDirectory, join(options.root, 'scenes'));
+    stills ??= await Stills.make(options.moduleDirectory, join(options.root, 'scenes'));
     stills.write(join(generated, 'stills'), chapters.flatMap(({ figures }) => figures));
     const page = chapters.map(({ html }) => html).join('');
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));

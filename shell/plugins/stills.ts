@@ -12,6 +12,8 @@ interface StillModule {
 export class Stills {
   private readonly module: StillModule;
   private readonly scenes: string;
+  /// By what they were drawn from: while a chapter is being edited few figures change.
+  private readonly drawn = new Map<string, string>();
 
   private constructor(module: StillModule, scenes: string) {
     this.module = module;
@@ -28,9 +30,13 @@ export class Stills {
   /// A light one takes half the bytes.
   picture({ id, start, values }: FigureSource, light = false): string {
     const scene = start === 'file' ? readFileSync(join(this.scenes, `${id}.json`), 'utf8') : '';
+    const key = JSON.stringify([start, scene, values, light]);
+    const known = this.drawn.get(key);
+    if (known) return known;
     const types = ['string', 'string', 'string', 'boolean'];
     const svg = this.module.ccall('knotwork_still', 'string', types, [start, scene, values, light]);
     if (!svg.startsWith('<svg')) throw new Error(`the figure "${id}" has no still picture: ${svg}`);
+    this.drawn.set(key, svg);
     return svg;
   }
 
