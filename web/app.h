@@ -44,7 +44,7 @@ class App {
   void resize(double css_width, double css_height, double pixel_ratio);
   void set_scheme(bool dark);
   void set_reduced_motion(bool reduced);
-  /// The module's second part, which fits grids to the screen, is here.
+  /// The module's part that fits grids to the screen is here.
   void allow_fitted_grids();
 
   /// Draws a frame if one is needed; `now` in milliseconds. True when another one is wanted at once.

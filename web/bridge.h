@@ -15,7 +15,7 @@ void knotwork_font(const std::uint8_t* bytes, int size,
 void knotwork_resize(double css_width, double css_height, double pixel_ratio);
 void knotwork_scheme(bool dark);
 void knotwork_reduced_motion(bool reduced);
-void knotwork_complete();             ///< the module's second part is here
+void knotwork_complete();             ///< the module's part that fits grids is here
 bool knotwork_context(bool present);  ///< the WebGL context was lost (false) or is back (true); whether it can draw
 /// Draws one frame if one is needed. True: call again at the next animation frame. False: idle until the next event.
 bool knotwork_frame(double now);

@@ -34,7 +34,7 @@ class StageGrid {
   SampleGrid grid(const Figure& figure) const;
   /// Whether the last look was put off.
   bool wants_another_look() const { return put_off_; }
-  /// Fitting belongs to the module's second part: nothing is fitted before that is here.
+  /// Fitting belongs to a later part of the module: nothing is fitted before that is here.
   void allow_fitting() { may_fit_ = true; }
 
  private:

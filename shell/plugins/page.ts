@@ -9,7 +9,7 @@ import { Stills, withStills } from './stills';
 
 export interface PageOptions {
   root: string;             ///< the shell's folder
-  moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm, later.wasm and knotwork_stills.js are
+  moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm, later.wasm, last.wasm and knotwork_stills.js are
   policy: string;           ///< content security policy of the built page
   sourceUrl: string;        ///< where the source can be read; '' for no link
   language: string;         ///< of the page: see language.ts
@@ -59,7 +59,7 @@ export function page(options: PageOptions): Plugin {
     name: 'knotwork-page',
 
     async buildStart() {
-      for (const file of ['knotwork.js', 'knotwork.wasm', 'later.wasm']) {
+      for (const file of ['knotwork.js', 'knotwork.wasm', 'later.wasm', 'last.wasm']) {
         const path = join(options.moduleDirectory, file);
         if (existsSync(path)) continue;
         throw new Error(

@@ -103,7 +103,7 @@ export class Bridge {
   reducedMotion(reduced: boolean): void {
     this.number('knotwork_reduced_motion', Number(reduced));
   }
-  /// The module's second part is here.
+  /// What fits grids to the screen is here.
   complete(): void {
     this.number('knotwork_complete');
   }

@@ -2,8 +2,8 @@ import wasmUrl from '@module/knotwork.wasm?url';
 import regularUrl from '../generated/stage-400.ttf?url';
 import semiboldUrl from '../generated/stage-600.ttf?url';
 import type { EmscriptenModule } from './bridge';
+import { laterParts, type LaterParts } from './later_part';
 import { countBytes } from './progress';
-import { SecondPart } from './second_part';
 
 /// Why there is no module: the reader's browser, or the way to it.
 export class LoadError extends Error {
@@ -19,22 +19,25 @@ export class LoadError extends Error {
 }
 
 /// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come. The
-/// second part is not fetched yet.
+/// later parts are not fetched yet.
 export async function loadModule(
   canvas: HTMLCanvasElement,
   onFrameNeeded: () => void,
   onShare: (share: number) => void,
-): Promise<{ module: EmscriptenModule; second: SecondPart }> {
+): Promise<{ module: EmscriptenModule; parts: LaterParts }> {
   if (typeof WebAssembly !== 'object') throw new LoadError('unsupported');
   const [{ default: create }, compiled] = await Promise.all([fetchScript(), compile(onShare)]);
-  const second = new SecondPart();
+  const parts = laterParts();
   const module = await new Promise<EmscriptenModule>((resolve, reject) => {
     create({
       canvas,
       onFrameNeeded,
       instantiateWasm: (imports, done) => {
-        WebAssembly.instantiate(compiled, { ...imports, later: second.placeholders }).then((instance) => {
-          second.attach(instance);
+        const { later, last } = parts;
+        const placeholders = { later: later.placeholders, last: last.placeholders };
+        WebAssembly.instantiate(compiled, { ...imports, ...placeholders }).then((instance) => {
+          later.attach(instance);
+          last.attach(instance);
           done(instance, compiled);
         }, reject);
         return {};
@@ -44,7 +47,7 @@ export async function loadModule(
       onAbort: reject,
     }).then(resolve, reject);
   });
-  return { module, second };
+  return { module, parts };
 }
 
 /// The two typefaces of the stage.

@@ -8,10 +8,10 @@ import { ScriptInterface } from './api';
 import { Bridge } from './bridge';
 import { raise, showProgress, showTrouble, type Trouble } from './curtain';
 import { listen } from './input';
+import type { LaterParts } from './later_part';
 import { loadModule, loadStageFonts, LoadError } from './loading';
 import { Page } from './page';
 import { listenToPaste } from './points';
-import type { SecondPart } from './second_part';
 import { followSections, makeContents } from './sections';
 import { Stage } from './stage';
 
@@ -49,18 +49,18 @@ async function begin(): Promise<void> {
   // What still arrives after one download has failed must not hide the message.
   let waiting = true;
   try {
-    const [{ module, second }, fonts] = await Promise.all([
+    const [{ module, parts }, fonts] = await Promise.all([
       loadModule(canvas, () => stage?.request(), (share) => waiting && showProgress(share)),
       loadStageFonts(),
     ]);
-    start(new Bridge(module), second, fonts);
+    start(new Bridge(module), parts, fonts);
   } catch (error) {
     waiting = false;
     fail(error instanceof LoadError ? error.reason : 'failed', error);
   }
 }
 
-function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, semibold: Uint8Array]): void {
+function start(bridge: Bridge, parts: LaterParts, fonts: [regular: Uint8Array, semibold: Uint8Array]): void {
   if (!bridge.start('#canvas')) {
     fail('webgl', new Error('WebGL2 is not available'));
     return;
@@ -74,24 +74,36 @@ function start(bridge: Bridge, second: SecondPart, fonts: [regular: Uint8Array, 
   stage.watch((present) => (present ? raise() : showTrouble('context', reload)));
   stage.request();
   // The size's observer has drawn the first frame by then: what the page does with it need not keep it waiting.
-  const make = (): Promise<void> => parsed.then(() => makePage(bridge, second)).catch((error) => fail('failed', error));
+  const make = (): Promise<void> => parsed.then(() => makePage(bridge, parts)).catch((error) => fail('failed', error));
   requestAnimationFrame(() => requestAnimationFrame(() => void make()));
 }
 
-function makePage(bridge: Bridge, second: SecondPart): void {
+function makePage(bridge: Bridge, parts: LaterParts): void {
   document.documentElement.classList.remove('early');
   page = new Page(bridge, canvas);
   if (pinned) page.scenes.pin();
   // Not over a message that has come up since.
   if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
   // Who waits for the page to be ready may ask for anything; the figure is alive before.
-  void second
+  void parts.later
     .fetch()
     .then(() => {
       bridge.complete();
       page?.scenes.follow();
+      whenReached(document.getElementById('bsplines')!, () => void parts.last.fetch().catch(console.warn));
     }, console.warn)
     .finally(() => api.settle());
+}
+
+/// When `element` has come into view, or lies above what is seen.
+function whenReached(element: Element, act: () => void): void {
+  const observer = new IntersectionObserver((entries) => {
+    const entry = entries.at(-1)!;
+    if (!entry.isIntersecting && entry.boundingClientRect.top > 0) return;
+    observer.disconnect();
+    act();
+  });
+  observer.observe(element);
 }
 
 /// A download can be tried again in place; a script that failed to load stays failed until the page is loaded anew.

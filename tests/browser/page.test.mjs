@@ -8,7 +8,7 @@ import { pageTest } from './page_test.mjs';
 import { launch, openPage, plainHost, siteAddress } from './site.mjs';
 import {
   call, difference, distance, distinctColours, documentOf, drag, frontHandle, handlesOf, luminance, picture, pixel,
-  plus, settled, stageRect, statsOf, until, widget,
+  plus, scrollTo, settled, stageRect, statsOf, until, widget,
 } from './stage.mjs';
 
 const axeSource = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -154,9 +154,10 @@ test('without WebGL the page says so', async () => {
   }
 });
 
-/// The part of the module that the first figure needs, and the other one.
+/// The part of the module that the first figure needs, the one that the first chapters need, and the rest.
 const moduleFile = /\/knotwork-[\w-]+\.wasm$/;
 const secondPart = /\/later-[\w-]+\.wasm$/;
+const lastPart = /\/last-[\w-]+\.wasm$/;
 
 const drawn = (page) =>
   until(page, () => {
@@ -209,20 +210,50 @@ pageTest(
 );
 
 pageTest(
-  'what needs the second part before it has come fetches it on the spot',
+  'what needs later parts before they have come fetches them on the spot',
   {
     wait: false,
-    before: (page) =>
-      page.route(secondPart, (route) =>
-        route.request().resourceType() === 'fetch' ? new Promise(() => {}) : route.continue(),
-      ),
+    before: async (page) => {
+      for (const part of [secondPart, lastPart]) {
+        await page.route(part, (route) =>
+          route.request().resourceType() === 'fetch' ? new Promise(() => {}) : route.continue(),
+        );
+      }
+    },
   },
   async (page) => {
     await drawn(page);
-    await call(page, 'open', 'bspline-curve');
-    assert.equal((await call(page, 'evaluate', 'curve', 1, 1)).length, 2);
+    await call(page, 'open', 'bezier-curve');
+    assert.equal((await call(page, 'evaluate', 'curve', 0.5, 1)).length, 2);
+    await settled(page);
+    assert.ok((await handlesOf(page)).length > 3);
+    await call(page, 'open', 'least-squares');
+    assert.ok((await call(page, 'parameters')).some(({ id }) => id === 'fitted.count'));
     await settled(page);
     assert.ok((await handlesOf(page)).length > 6);
+  },
+);
+
+pageTest(
+  'a reader of the first two chapters does without the last part of the module',
+  { followed: true, full: true },
+  async (page) => {
+    const asked = () =>
+      page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+    const chapters = page.locator('[data-chapter]');
+    const figures = await page.locator('[data-chapter="bezier-curves"] [data-figure]').all();
+    for (const figure of figures.slice(0, -1)) {
+      await figure.scrollIntoViewIfNeeded();
+      await scrollTo(page, `#${await figure.getAttribute('id')}`);
+      await figure.and(page.locator('[data-shown]')).waitFor();
+      const handle = (await handlesOf(page)).find(({ screen }) => screen);
+      await drag(page, handle.screen, plus(handle.screen, [12, -9]));
+    }
+    assert.ok(!(await asked()).some((name) => lastPart.test(name)), 'the last part came too early');
+    assert.ok((await chapters.count()) > 3);
+    const coming = page.waitForResponse(lastPart);
+    await scrollTo(page, '#bsplines');
+    await coming;
   },
 );
 

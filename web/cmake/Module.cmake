@@ -20,14 +20,14 @@ target_link_options(knotwork PRIVATE
   -lGL -lhtml5.js -lhtml5_webgl.js # what strictness no longer links by itself
   -sALLOW_UNIMPLEMENTED_SYSCALLS=1 # ImGui's and libc++'s printing refer to calls that are never made
   --profiling-funcs            # names of functions, by which the module is split; the parts lose them
-  # Inlined where they are called once, functions of the second part would be in the first.
+  # Inlined where they are called once, functions of a later part would be in the first.
   -sBINARYEN_EXTRA_PASSES=--one-caller-inline-max-function-size=0
   "-sEXPORTED_FUNCTIONS=[_main,_malloc,_free]"
   "-sEXPORTED_RUNTIME_METHODS=[ccall,UTF8ToString,stringToUTF8,lengthBytesUTF8,writeArrayToMemory]"
   $<$<CONFIG:Release>:-flto>
   $<$<CONFIG:Release>:-Oz>)
 
-# Binaryen cuts the module in two (split_module.mjs) and optimizes both parts once more: a good hundredth less to
+# Binaryen cuts the module in three (split_module.mjs) and optimizes the parts once more: a good hundredth less to
 # download. Newer releases turn on more features than are named here.
 find_program(KNOTWORK_NODE NAMES node nodejs REQUIRED)
 find_program(KNOTWORK_WASM_SPLIT wasm-split HINTS "${EMSCRIPTEN_ROOT_PATH}/../bin" REQUIRED)
@@ -43,7 +43,8 @@ set(split_script "${CMAKE_CURRENT_LIST_DIR}/split_module.mjs")
 set_property(TARGET knotwork APPEND PROPERTY LINK_DEPENDS "${split_script}")
 add_custom_command(TARGET knotwork POST_BUILD
   COMMAND "${KNOTWORK_NODE}" "${split_script}" "${binaryen_folder}" "$<TARGET_FILE_DIR:knotwork>/knotwork.wasm"
-          "$<TARGET_FILE_DIR:knotwork>/later.wasm" ${wasm_features} ${wasm_passes}
+          "$<TARGET_FILE_DIR:knotwork>/later.wasm" "$<TARGET_FILE_DIR:knotwork>/last.wasm"
+          ${wasm_features} ${wasm_passes}
   COMMAND_EXPAND_LISTS
   COMMENT "Splitting knotwork.wasm"
   VERBATIM)

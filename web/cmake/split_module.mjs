@@ -1,30 +1,47 @@
-// Splits the page's module in two: what the first figure needs, and what is reached through functions marked
-// KNOTWORK_LATER alone. usage: split_module.mjs <binaryen's folder> <module.wasm> <later.wasm> [wasm-opt option ...]
+// Splits the page's module in three: what the first figure needs, what the first chapters need besides, and all the rest.
+// usage: split_module.mjs <binaryen's folder> <module.wasm> <later.wasm> <last.wasm> [wasm-opt option ...]
 //
-// `module.wasm` has function names and is replaced by the first part; both lose the names. Calls from the first part
-// into the second go through the table, whose slots hold placeholders until the second part has been instantiated
-// (see shell/src/loading.ts).
+// `module.wasm` has function names and is replaced by the first part; all lose the names. Calls from one part into
+// another go through the table, whose slots hold placeholders until the other part has been instantiated (see
+// shell/src/loading.ts).
 import { execFileSync } from 'node:child_process';
-import { rmSync, statSync, writeFileSync } from 'node:fs';
+import { readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-const [folder, module, later, ...options] = process.argv.slice(2);
-// Functions of the second part by their names: marked ones; what is inside a marked maker of rows (its functions, that
-// is, not the maker, even where it has a marked function as an argument); the catalogues' formulas; copying and
-// comparing shapes and figures of any kind but the first; what stands for another surface than the blending one; and
-// what evaluates a curve.
-const marks = [
-  /^(?!.*\[abi:rows\]).*\[abi:later\]/,
+const [folder, module, later, last, ...options] = process.argv.slice(2);
+// Functions that the first figure does without, by their names: marked ones; what is inside a marked maker of rows (its
+// functions, that is, not the maker, even where it has a marked function as an argument); the catalogues' formulas;
+// copying and comparing shapes and figures of any kind but the first; what stands for another surface than the blending
+// one; what evaluates a curve; what our windows, which have no columns, never ask of ImGui; and
+// what reads typefaces of another format than the page's.
+const formulas = /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/;
+const otherSurfaces = /knotted_surface<(?!knotwork::BlendingSurface>)/;
+const notFirst = [
+  /^(?!.*\[abi:rows\]).*\[abi:la(ter|st)\]/,
   /\[abi:rows\].*\)::(\$_|'lambda)/,
-  /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/,
+  formulas,
   /__dispatcher<[1-9]\d*ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::(web::BlendingFigure|scene::BlendingSurfaceObject)/,
-  /knotted_surface<(?!knotwork::BlendingSurface>)/,
+  otherSurfaces,
   /\bcurve_view(<.*>)?\(.*\)::(\$_|'lambda)/,
+  /^(Table|Window)SettingsHandler_/,
+  /^ImGui::(Scrollbar|EndColumns|RenderMouseCursor|NavUpdateWindowingOverlay)/,
+  /^(stb_decompress|stbtt__(run_charstring|cid_get_glyph_subrs|GetGlyphInfoT2))/,
+];
+// Functions that Bezier curves do without as well, the second chapter's: marked ones, and what is about another kind of
+// object. (Where a name has a variant in it, it is about all kinds.)
+const notSoon = [
+  /^(?!.*\[abi:rows\]).*\[abi:last\]/,
+  /^(?!.*variant).*(Fit(Figure|Settings|tedCurve)|fit_|CurveFit|Subdivision|ModelCurve|ModelSurface|Catalogue)/,
+  /^(?!.*variant).*(BlendingCurve|BSplineSurface|NetFigure|NetSurface|NetDirection)/,
+  formulas,
+  /__dispatcher<([2-9]|\d\d)ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::web::BlendingFigure/,
+  /__dispatcher<([3-9]|\d\d)ul(, [1-9]\d*ul)?>.*(__traits|variant)<knotwork::scene::BlendingSurfaceObject/,
+  otherSurfaces,
 ];
 const plain = (name) => name.replace(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
 // What wasm-opt has made of several similar functions bears the name of any of them: it belongs to whoever calls it.
 const merged = /^byn\$mgfn-shared\$/;
-const isMarked = (name) =>
+const isOneOf = (marks) => (name) =>
   !folded.has(name) && !merged.test(name) && marks.some((mark) => mark.test(plain(name)));
 const run = (tool, ...args) => execFileSync(join(folder, tool), args, { encoding: 'utf8', maxBuffer: 1 << 28 });
 const features = options.filter((option) => option.startsWith('--enable') || option === '-all');
@@ -56,24 +73,51 @@ function foldedFunctions() {
 
 const { calls, entries } = callGraph();
 const folded = foldedFunctions();
-const first = new Set();
-const ahead = [...entries];
-while (ahead.length > 0) {
-  const name = ahead.pop();
-  if (first.has(name) || isMarked(name)) continue;
-  first.add(name);
-  ahead.push(...(calls.get(name) ?? []));
+/// What is reached from outside without a function of which `isMarked` holds.
+function reached(isMarked) {
+  const found = new Set();
+  const ahead = [...entries];
+  while (ahead.length > 0) {
+    const name = ahead.pop();
+    if (found.has(name) || isMarked(name)) continue;
+    found.add(name);
+    ahead.push(...(calls.get(name) ?? []));
+  }
+  return found;
 }
-const second = [...calls.keys()].filter((name) => !first.has(name));
+const first = reached(isOneOf(notFirst));
+const soon = reached(isOneOf(notSoon));
+const second = [...calls.keys()].filter((name) => !first.has(name) && soon.has(name));
+const third = [...calls.keys()].filter((name) => !first.has(name) && !soon.has(name));
 if (!first.has('malloc')) throw new Error('the call graph has not been understood');
-if (!second.some(isMarked)) throw new Error('no function is marked KNOTWORK_LATER: has the module names?');
+for (const part of [second, third]) {
+  if (!part.some(isOneOf(notFirst))) throw new Error('no function of a part is marked: has the module names?');
+}
 
 const list = `${later}.functions`;
 const whole = `${module}.whole`;
-writeFileSync(list, second.join('\n'));
+const rest = `${module}.rest`;
+function split(from, functions, part, name, prefix, remaining) {
+  writeFileSync(list, functions.join('\n'));
+  run('wasm-split', from, ...features, `--split-funcs=@${list}`, '--import-namespace=first',
+      `--placeholder-namespace=${name}`, `--export-prefix=${prefix}`, '--symbolmap', '-o1', remaining, '-o2', part);
+}
+/// Rows `<number>:<name>` by name.
+const numbers = (rows) =>
+  new Map([...rows.matchAll(/^(\d+):(.*)$/gm)].map(([, number, name]) => [plain(name), number]));
 run('wasm-opt', module, ...features, '-g', '-o', whole);
-run('wasm-split', whole, ...features, `--split-funcs=@${list}`, '--import-namespace=first',
-    '--placeholder-namespace=later', '-o1', module, '-o2', later);
-for (const part of [module, later]) run('wasm-opt', part, ...options, '-o', part);
-for (const file of [list, whole]) rmSync(file);
-console.log(`first part ${statSync(module).size} bytes, second part ${statSync(later).size} bytes`);
+split(whole, third, last, 'last', '-', rest);
+// Its exports have short names since nothing in it has a long one any more: functions go by their numbers.
+const numberOf = numbers(readFileSync(`${rest}.symbols`, 'utf8'));
+const names = run('wasm-opt', rest, ...features, '--print-function-map', '-o', '/dev/null');
+const nameOf = new Map([...numbers(names)].map(([name, number]) => [number, name]));
+split(rest, second.map((name) => nameOf.get(numberOf.get(plain(name)))), later, 'later', '.', module);
+// The table has grown since `last` was cut off: what it says of the table's greatest size is no longer true.
+const text = run('wasm-opt', last, ...features, '-S', '-o', '-');
+writeFileSync(`${last}.text`, text.replace(/^( \(import "first" .*\(table \S+ \d+) \d+ /m, '$1 '));
+run('wasm-opt', `${last}.text`, ...features, '-o', last);
+for (const part of [module, later, last]) run('wasm-opt', part, ...options, '-o', part);
+for (const file of [list, whole, rest, `${last}.text`, ...[module, later, last, rest].map((part) => `${part}.symbols`)]) {
+  rmSync(file, { force: true });
+}
+console.log(`first part ${statSync(module).size} bytes, second ${statSync(later).size}, third ${statSync(last).size}`);

@@ -29,7 +29,7 @@ class RowFunction<R(As...)> {
  public:
   RowFunction() = default;
   // Implicit on purpose: a row's functions are written as lambdas. Inline, as it would bear the name of the lambda's row
-  // and so belong to the module's second part (see later.h).
+  // and so belong to a later part of the module (see later.h).
   template <class F>
   requires std::is_convertible_v<F, R (*)(As...)>
   [[gnu::always_inline]] RowFunction(F own) : own_(own) {}  // NOLINT(google-explicit-constructor)
