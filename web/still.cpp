@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -23,7 +27,7 @@ namespace {
 constexpr double grain = 2;
 /// Pieces overlap by so many CSS pixels, or the paper would shine through between them.
 constexpr double overlap = 0.45;
-/// Ribbons are cut to this length where a surface may hide a part of them.
+/// Ribbons are cut to this length, CSS pixels, where a surface may hide a part of them.
 constexpr double longest_piece = 24;
 
 std::string number(double value) { return std::to_string(static_cast<long long>(std::llround(value))); }
@@ -102,6 +106,7 @@ struct Painter {
     }
   };
 
+  /// The width in tenths: whole half pixels are too coarse for thin lines.
   std::string stroke(const std::string& path, const std::string& ink, double width) const {
     return "<path d=\"" + path + "\" class=\"" + ink + "\" stroke-width=\"" + number(grain * width * 10) + "e-1\"/>";
   }
@@ -125,6 +130,7 @@ struct Painter {
 
   /// Both pictures hold the same ribbons, in the colours of both schemes. What touches and looks alike is one path.
   void ribbons(const std::vector<Ribbon>& light, const std::vector<Ribbon>& dark, std::string& out) {
+    assert(light.size() == dark.size());
     std::string path, ink;
     glm::vec3 end(0);
     float width = 0;
@@ -152,6 +158,7 @@ struct Painter {
   /// The same without what a surface hides, told by short pieces. `hides` is asked about a point of the model.
   template <class Hides>
   void seen_ribbons(const std::vector<Ribbon>& light, const std::vector<Ribbon>& dark, Hides hides, std::string& out) {
+    assert(light.size() == dark.size());
     for (std::size_t k = 0; k < light.size(); ++k) {
       const Ribbon& ribbon = light[k];
       const std::optional<glm::dvec3> first = view.project(ribbon.start), last = view.project(ribbon.end);
@@ -190,7 +197,8 @@ struct Painter {
   static glm::vec4 coarse(const glm::vec4& colour) { return {glm::round(24.0F * glm::vec3(colour)) / 24.0F, colour.a}; }
 };
 
-struct SceneCopy {
+/// What is painted, and from where it is seen.
+struct Subject {
   const scene::Document& document;
   Figure& figure;
   std::span<const Handle> handles;
@@ -217,6 +225,7 @@ struct SceneCopy {
     return labels_of(figure, handles, view, make_theme(dark));
   }
 
+  /// Whether the surface lies before a point of the model, by 8 pixels or more: what runs along it is seen.
   bool hides(const glm::dvec3& point) const {
     const std::optional<glm::dvec3> screen = view.project(point);
     if (!screen || !surface_of(figure) || !document.display.surface) return false;
@@ -248,8 +257,8 @@ std::string shadow(const std::vector<glm::dvec3>& points, const View& view) {
 }
 
 /// The surface: pieces from back to front, evened out by a blur that keeps to their outline, with its knot lines.
-std::string surface(Painter& painter, const SceneCopy& copy, const StillSize& size) {
-  SurfacePieces pieces = surface_pieces(copy.figure, copy.document, painter.view, size.pieces_u, size.pieces_v);
+std::string surface(Painter& painter, const Subject& subject, const StillSize& size) {
+  SurfacePieces pieces = surface_pieces(subject.figure, subject.document, painter.view, size.pieces_u, size.pieces_v);
   std::stable_sort(pieces.facets.begin(), pieces.facets.end(),
                    [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
   std::string out = "<g id=\"s\"><g filter=\"url(#e)\">";
@@ -257,7 +266,7 @@ std::string surface(Painter& painter, const SceneCopy& copy, const StillSize& si
   out += "</g></g>";
   Painter::LinePath lines{painter, {}};
   for (const FacetEdge& edge : pieces.knot_lines)
-    if (!copy.hides(edge.middle)) lines.add(edge.start, edge.end);
+    if (!subject.hides(edge.middle)) lines.add(edge.start, edge.end);
   if (!lines.text.empty())
     out += painter.stroke(lines.text,
                           painter.inks.name("stroke", {0.12F, 0.13F, 0.15F, 0.42F}, {0.05F, 0.06F, 0.07F, 0.5F}), 1.2);
@@ -282,15 +291,15 @@ std::string still(const scene::Document& document, const StillSize& size) {
   std::vector<Handle> handles;
   take_handles(figure, shape, handles);
   for (Handle& handle : handles) handle.screen = view.project(handle.position);
-  const SceneCopy copy{seen, figure, handles, comb, view};
-  const Picture light = copy.picture(false), dark = copy.picture(true);
+  const Subject subject{seen, figure, handles, comb, view};
+  const Picture light = subject.picture(false), dark = subject.picture(true);
   Painter painter{view, {}};
 
   std::string body;
   if (light.surface) {
     body += shadow(points, view);
-    if (document.display.surface) body += surface(painter, copy, size);
-    const auto hides = [&](const glm::dvec3& point) { return copy.hides(point); };
+    if (document.display.surface) body += surface(painter, subject, size);
+    const auto hides = [&](const glm::dvec3& point) { return subject.hides(point); };
     painter.seen_ribbons(light.ribbons, dark.ribbons, hides, body);
     painter.ribbons(light.hidden_ribbons, dark.hidden_ribbons, body);
   } else {
@@ -298,10 +307,10 @@ std::string still(const scene::Document& document, const StillSize& size) {
   }
   painter.ribbons(light.overlay_ribbons, dark.overlay_ribbons, body);
   for (std::size_t k = 0; k < light.discs.size(); ++k)
-    painter.disc(light.discs[k], dark.discs[k], copy.hides(light.discs[k].centre), body);
+    painter.disc(light.discs[k], dark.discs[k], subject.hides(light.discs[k].centre), body);
   for (std::size_t k = 0; k < light.overlay_discs.size(); ++k)
     painter.disc(light.overlay_discs[k], dark.overlay_discs[k], false, body);
-  const std::vector<StageLabel> names = copy.labels(false), dark_names = copy.labels(true);
+  const std::vector<StageLabel> names = subject.labels(false), dark_names = subject.labels(true);
   for (std::size_t k = 0; k < names.size(); ++k) painter.label(names[k], dark_names[k], body);
 
   const std::string width = number(size.width), height = number(size.height);

@@ -55,12 +55,12 @@ Result<std::string> picture_of(std::string_view start, std::string_view scene, s
 
 extern "C" {
 
-/// The picture of a start document, or of a scene where one is given, with values set; else a sentence that does not begin
-/// with "<". A light one has fewer pieces. It stands until the next call.
-EMSCRIPTEN_KEEPALIVE const char* knotwork_still(const char* start, const char* scene, const char* values, bool light) {
+/// The picture of a start document, or of a scene (a document's JSON) where one is given, with values set; else a
+/// sentence that does not begin with "<". A coarse one has fewer pieces. It stands until the next call.
+EMSCRIPTEN_KEEPALIVE const char* knotwork_still(const char* start, const char* scene, const char* values, bool coarse) {
   static std::string answer;
   knotwork::web::StillSize size;
-  if (light) size.pieces_u = 30, size.pieces_v = 20;
+  if (coarse) size = {.pieces_u = 30, .pieces_v = 20};
   const knotwork::Result<std::string> picture = knotwork::web::picture_of(start, scene, values, size);
   answer = picture ? picture.value() : picture.error().path + ": " + picture.error().message;
   return answer.c_str();

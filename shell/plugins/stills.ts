@@ -27,14 +27,14 @@ export class Stills {
     return new Stills(await create(), scenes);
   }
 
-  /// A light one takes half the bytes.
-  picture({ id, start, values }: FigureSource, light = false): string {
+  /// A coarse one takes half the bytes.
+  picture({ id, start, values }: FigureSource, coarse = false): string {
     const scene = start === 'file' ? readFileSync(join(this.scenes, `${id}.json`), 'utf8') : '';
-    const key = JSON.stringify([start, scene, values, light]);
+    const key = JSON.stringify([start, scene, values, coarse]);
     const known = this.drawn.get(key);
     if (known) return known;
     const types = ['string', 'string', 'string', 'boolean'];
-    const svg = this.module.ccall('knotwork_still', 'string', types, [start, scene, values, light]);
+    const svg = this.module.ccall('knotwork_still', 'string', types, [start, scene, values, coarse]);
     if (!svg.startsWith('<svg')) throw new Error(`the figure "${id}" has no still picture: ${svg}`);
     this.drawn.set(key, svg);
     return svg;

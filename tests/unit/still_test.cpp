@@ -108,7 +108,7 @@ TEST_CASE("hues are those of the patches: without patch colours the surface is g
   CHECK(chroma() < 0.1F);
 }
 
-TEST_CASE("a light picture has fewer pieces") {
+TEST_CASE("a coarse picture has fewer bytes") {
   const scene::Document document = started("blending-surface");
   CHECK(still(document, {.pieces_u = 24, .pieces_v = 16}).size() < 0.6 * static_cast<double>(still(document).size()));
 }
