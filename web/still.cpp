@@ -17,6 +17,7 @@
 #include "web/composition.h"
 #include "web/curvature_comb.h"
 #include "web/figure_picture.h"
+#include "web/stage_ornaments.h"
 #include "web/still_surface.h"
 #include "web/vectors.h"
 
@@ -178,13 +179,14 @@ struct Painter {
     }
   }
 
+  /// The rim lies within the radius, as in shaders/disc.frag; SVG strokes to both sides of it.
   void disc(const Disc& light, const Disc& dark, bool hidden, std::string& out) {
     const std::optional<glm::dvec3> at = view.project(light.centre);
     if (!at) return;
     out += "<circle cx=\"" + number(grain * at->x) + "\" cy=\"" + number(grain * at->y) + "\" r=\"" +
-           number(grain * light.radius) + "\" class=\"" + inks.name("fill", light.fill, dark.fill) + " " +
-           inks.name("stroke", {light.rim, 1}, {dark.rim, 1}) + "\" stroke-width=\"" + number(grain * light.rim_width) +
-           "\"" + (hidden ? " opacity=\".3\"" : "") + "/>";
+           number(grain * (light.radius - 0.5 * light.rim_width)) + "\" class=\"" +
+           inks.name("fill", light.fill, dark.fill) + " " + inks.name("stroke", {light.rim, 1}, {dark.rim, 1}) +
+           "\" stroke-width=\"" + number(grain * light.rim_width) + "\"" + (hidden ? " opacity=\".3\"" : "") + "/>";
   }
 
   void label(const StageLabel& light, const StageLabel& dark, std::string& out) {
@@ -214,9 +216,7 @@ struct Subject {
     const InteractionState untouched;
     add_to_picture(picture, figure, {document, untouched, handles, false});
     add_comb(picture, comb);
-    for (const Eigen::Vector3d& ring : document.display.rings)
-      picture.overlay_discs.push_back(
-          {glm::vec3(to_glm(ring)), 11, to_glm(picture.theme.paper, 0), to_glm(picture.theme.accent), 2.5F});
+    add_rings(picture);
     return picture;
   }
 

@@ -79,6 +79,19 @@ TEST_CASE("a point of a plane curve lies where the camera sees it") {
   }
 }
 
+TEST_CASE("rings are those of the stage: an accent on a wider band of paper, within their radius") {
+  scene::Document document = started("bezier-curve");
+  document.display.handles = false;
+  const int without = count_of(still(document), "<circle");
+  document.display.rings = {{0, 1, 0}};
+  const std::string svg = still(document);
+  CHECK(count_of(svg, "<circle") == without + 2);
+  const std::size_t band = svg.rfind("<circle", svg.rfind("<circle") - 1);
+  CHECK(svg.find("r=\"20\"", band) != std::string::npos);               // half pixels, of the middle of the rim
+  CHECK(svg.find("stroke-width=\"11\"", band) < svg.rfind("<circle"));  // drawn first
+  CHECK(svg.find("stroke-width=\"5\"", svg.rfind("<circle")) != std::string::npos);
+}
+
 TEST_CASE("of a closed surface the pieces that face away are left out, of an open one none") {
   scene::Document document = started("blending-surface");
   const auto pieces = [&] {
