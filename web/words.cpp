@@ -1,6 +1,7 @@
 #include "web/words.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cstdio>
 
@@ -11,9 +12,9 @@ std::string text_of(const char* format, double value) {
   std::snprintf(buffer.data(), buffer.size(), format, value);
   std::string text(buffer.data());
   // A value that rounds to zero has no sign.
-  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
   // The typographic minus is as wide as a figure.
-  if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+  if (text.starts_with('-')) text.replace(0, 1, "−");
   return text;
 }
 
@@ -41,6 +42,7 @@ Words& Words::add(int number) {
 }
 
 Words& Words::below(int number) {
+  assert(number >= 0);
   std::array<char, 12> figures{};
   const auto end = std::to_chars(figures.begin(), figures.end(), number).ptr;
   for (const char* figure = figures.data(); figure != end; ++figure) {

@@ -12,6 +12,8 @@ TEST_CASE("words are put together, figures lowered and raised") {
   CHECK(std::string_view(Words().add("n = ").add(-7)) == "n = -7");
   CHECK(subscript(305) == "₃₀₅");
   CHECK(superscript(2) == "²");
+  CHECK(superscript(-1) == "⁰");
+  CHECK(superscript(12) == "⁹");
 }
 
 TEST_CASE("what is too long is cut off, and the end is a zero") {
@@ -24,6 +26,7 @@ TEST_CASE("what is too long is cut off, and the end is a zero") {
 TEST_CASE("numbers have the typographic minus, and none where they round to zero") {
   CHECK(text_of("%.2f", -1.5) == "−1.50");
   CHECK(text_of("%.2f", -0.001) == "0.00");
+  CHECK(text_of("%.0f", -0.1) == "0");
 }
 
 }  // namespace
