@@ -14,6 +14,7 @@
 #include "knotwork/scene/later.h"
 #include "knotwork/scene/measures.h"
 #include "knotwork/scene/surface_builder.h"
+#include "web/words.h"
 
 namespace knotwork::web {
 namespace {
@@ -58,16 +59,6 @@ const char* kind_name(scene::ParameterKind kind) {
       return "toggle";
   }
   return "";
-}
-
-/// Digits below the line, as the page's table writes knots: t₁₂.
-std::string subscript(int number) {
-  std::string digits = std::to_string(number), result;
-  for (const char digit : digits) {
-    result += "\xE2\x82";
-    result += static_cast<char>(0x80 + (digit - '0'));
-  }
-  return result;
 }
 
 Json direction(const scene::DirectionSummary& summary, const char* letter) {
