@@ -583,7 +583,8 @@ void App::frame_all() {
   compose_for(extent(), camera_ms);
 }
 
-/// What the picture of the figure has to have room for.
+/// What the picture of the figure has to have room for. A figure without comb and rings does not call for them: what
+/// makes them is in the second part of the module, and a call would wait for it.
 std::vector<glm::dvec3> App::extent() {
   std::vector<glm::dvec3> points = outline(*geometry_.figure);
   if (document_.display.comb)
