@@ -290,6 +290,7 @@ std::string answer_state(const App& app) {
   json["redoLabel"] = app.history().redo_label();
   json["notice"] = app.notice();
   json["selected"] = app.selected() ? handle_id(shape, *app.selected()) : std::string();
+  json["selectedName"] = app.selected() ? handle_name(shape, *app.selected()) : std::string();
   json["points"] = scene::is_made_from_list(shape) ? Json(scene::curve_points(shape).size()) : Json();
   json["surface"] = Json();
   if (app.shows_surface()) {

@@ -52,7 +52,9 @@ export interface State {
   undoLabel: string;
   redoLabel: string;
   notice: string;
+  /// The id of a handle, and its name for readers; '' for none.
   selected: string;
+  selectedName: string;
   /// How many points the figure on the stage is made from; null where it is not made from a list of points.
   points: number | null;
   /// null while a curve is on the stage.

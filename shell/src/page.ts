@@ -118,7 +118,7 @@ export class Page {
     if (state.surface) for (const table of this.tables) table.update(state.surface, rows);
     for (const list of this.patchLists) list.update(state, () => this.bridge.handles());
     this.history.update(state);
-    const description = describe(rows, state.selected);
+    const description = describe(rows, state.selectedName);
     if (this.description.textContent !== description) this.description.textContent = description;
     if (state.notice !== this.lastNotice && performance.now() > this.praisedUntil) this.announce(say(state.notice));
     this.lastNotice = state.notice;

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { Language } from '../plugins/language';
 import { pseudo } from '../src/pseudo';
-import { say } from '../src/words';
+import { say, sayName } from '../src/words';
 
 /// A shell's folder with a chapter in English and one that German has, too.
 function folder(words: string): string {
@@ -59,4 +59,5 @@ test('the disguise is longer by two fifths; single letters and numbers have none
 test('what scripts say in English is what stands in the source, with its values', () => {
   assert.equal(say('{} of {} exercises solved', 1, 3), '1 of 3 exercises solved');
   assert.equal(say('Undo'), 'Undo');
+  for (const name of ['Patch 2, 1', 'Local curve 12', 'Parameter']) assert.equal(sayName(name), name);
 });
