@@ -21,7 +21,8 @@ export class Language {
       this.words = name === 'en' ? null : 'pseudo';
       return;
     }
-    if (!/^[a-z]{2,3}(-[A-Za-z0-9]+)*$/.test(name)) throw new Error(`KNOTWORK_LANGUAGE: "${name}" is not a language tag`);
+    if (!/^[a-z]{2,3}(-[A-Za-z0-9]+)*$/.test(name))
+      throw new Error(`KNOTWORK_LANGUAGE: "${name}" is not a language tag`);
     const file = this.file('words.json');
     if (!existsSync(file)) throw new Error(`KNOTWORK_LANGUAGE is ${name}: there is no languages/${name}/words.json`);
     const words: unknown = JSON.parse(readFileSync(file, 'utf8'));
@@ -44,7 +45,7 @@ export class Language {
     return html.replace(parts, (whole, kept?: string, tag?: string) => {
       if (kept !== undefined) return whole;
       if (tag === undefined) return this.text(whole);
-      return tag.replace(spoken, (_, name: string, text: string) => `${name}="${this.text(text)}"`);
+      return tag.replace(spoken, (_, name: string, text: string) => `${name}="${quoted(this.text(text))}"`);
     });
   }
 
@@ -55,7 +56,11 @@ export class Language {
   }
 
   private text(text: string): string {
-    if (this.words === 'pseudo') return text.split(/(&[#\w]+;)/).map((part, k) => (k % 2 === 0 ? pseudo(part) : part)).join('');
+    if (this.words === 'pseudo')
+      return text
+        .split(/(&[#\w]+;)/)
+        .map((part, k) => (k % 2 === 0 ? pseudo(part) : part))
+        .join('');
     const [, before = '', words = '', after = ''] = /^(\s*)([\s\S]*?)(\s*)$/.exec(text) ?? [];
     const plain = words.replace(/\s+/g, ' ');
     const translation = (this.words as Record<string, string>)[plain];
@@ -67,6 +72,19 @@ export class Language {
   }
 }
 
+/// A translation may have quotation marks where English has none.
+function quoted(text: string): string {
+  return text.replaceAll('"', '&quot;');
+}
+
+/// What stays as it is.
+const untouched = [
+  /<!--tex-->[\s\S]*?<!--\/tex-->/,
+  /<!--[\s\S]*?-->/,
+  /<!doctype[^>]*>/,
+  /<(?:script|style|pre|code)\b[\s\S]*?<\/(?:script|style|pre|code)>/,
+  /<svg\b[\s\S]*?<\/svg>/,
+];
 /// What stays, a tag, or the text between tags.
-const parts = /(<!--tex-->[\s\S]*?<!--\/tex-->|<!--[\s\S]*?-->|<!doctype[^>]*>|<(?:script|style|pre|code)\b[\s\S]*?<\/(?:script|style|pre|code)>|<svg\b[\s\S]*?<\/svg>)|(<(?:"[^"]*"|[^">])*>)|[^<]+/gi;
+const parts = new RegExp(`(${untouched.map(({ source }) => source).join('|')})|(<(?:"[^"]*"|[^">])*>)|[^<]+`, 'gi');
 const spoken = /\b(aria-label|title|alt|placeholder)="([^"]*)"/g;

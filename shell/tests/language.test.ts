@@ -20,11 +20,12 @@ function folder(words: string): string {
 }
 
 test('a language has its own chapters, and the others in English', () => {
-  const root = folder('{ "Hint": "Hinweis", "Try it": "Zum Probieren" }');
+  const root = folder('{ "Hint": "Hinweis", "Try it": "Zum Probieren", "Undo": "\\"Zurück\\"" }');
   const german = new Language(root, 'de');
   assert.equal(german.tag, 'de');
   assert.deepEqual(german.chapter('00-one.md'), { source: 'eins', own: true });
   assert.deepEqual(german.chapter('01-two.md'), { source: 'two', own: false });
+  assert.equal(german.html('<p title="Undo">Undo</p>'), '<p title="&quot;Zurück&quot;">"Zurück"</p>');
   assert.deepEqual(new Language(root, 'en').chapter('00-one.md'), { source: 'one', own: true });
   assert.equal(german.html('<aside aria-label="Try it">\n  Hint\n <code>Hint</code></aside>'),
     '<aside aria-label="Zum Probieren">\n  Hinweis\n <code>Hint</code></aside>');
