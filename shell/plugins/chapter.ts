@@ -32,8 +32,8 @@ export interface Chapter {
 /// What a figure or an exercise shows.
 export interface FigureSource {
   id: string;
-  start: string;
-  values: string;
+  start: string;   ///< the id of a start document, or `file`: scenes/<id>.json
+  values: string;  ///< id=value of parameters to be set, joined by &
 }
 
 /// Exercises are numbered within the chapter, whose number is `number`.
@@ -230,7 +230,8 @@ function block(
       parseGoal(keyed.get('goal text') ?? '');
       return [
         `<section class="exercise" ${figureData(source)} data-goal="${escaped(keyed.get('goal text') ?? '')}"` +
-          ` aria-labelledby="exercise-${source.id}"><h3 id="exercise-${source.id}">Exercise <span>${part('number')}</span></h3>` +
+          ` aria-labelledby="exercise-${source.id}">` +
+          `<h3 id="exercise-${source.id}">Exercise <span>${part('number')}</span></h3>` +
           `<div id="caption-${source.id}">`,
         `</div><details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
           `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}` +

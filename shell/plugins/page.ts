@@ -19,8 +19,8 @@ interface PageChapter extends Chapter {
   foreign: boolean;  ///< in English on a page of another language
 }
 
-/// Writes the chapters into index.html as real HTML, makes the fonts and the mathematics' stylesheet, and lets the
-/// module start to download before the scripts have been read.
+/// Writes the chapters into index.html as real HTML, makes the fonts and the mathematics' stylesheet, and has the
+/// figures' still pictures drawn.
 export function page(options: PageOptions): Plugin {
   const generated = join(options.root, 'generated');
   const chapterDirectory = join(options.root, 'chapters');

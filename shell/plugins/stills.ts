@@ -22,7 +22,8 @@ export class Stills {
 
   static async make(moduleDirectory: string, scenes: string): Promise<Stills> {
     const path = join(moduleDirectory, 'knotwork_stills.js');
-    if (!existsSync(path)) throw new Error(`${path} is missing: build it with the module (cmake --workflow --preset web)`);
+    if (!existsSync(path))
+      throw new Error(`${path} is missing: build it with the module (cmake --workflow --preset web)`);
     const create = createRequire(import.meta.url)(path) as () => Promise<StillModule>;
     return new Stills(await create(), scenes);
   }
@@ -49,18 +50,18 @@ export class Stills {
   }
 }
 
-/// The page's HTML with each figure's still picture in it: shown without scripts, without WebGL and in print (prose.css).
-/// Its words are those of the caption.
+/// A chapter's HTML with each figure's still picture before its caption: shown without scripts, without WebGL and in
+/// print (prose.css). What it says in words is the caption's first sentence.
 export function withStills(html: string, figures: readonly FigureSource[]): string {
-  return figures.reduce((page, { id }) => {
+  return figures.reduce((chapter, { id }) => {
     const mark = `<div id="caption-${id}">`;
-    const start = page.indexOf(mark);
+    const start = chapter.indexOf(mark);
     if (start < 0) throw new Error(`the figure "${id}" has no caption`);
-    const end = page.indexOf('</div>', start);
-    const alt = plain(page.slice(start + mark.length, end));
+    const end = chapter.indexOf('</div>', start);
+    const alt = plain(chapter.slice(start + mark.length, end));
     const image =
       `<img class="still" src="./generated/stills/${id}.svg" width="720" height="440" loading="lazy" alt="${alt}">`;
-    return `${page.slice(0, start)}${image}${page.slice(start)}`;
+    return `${chapter.slice(0, start)}${image}${chapter.slice(start)}`;
   }, html);
 }
 
