@@ -15,8 +15,8 @@ const ringOf = async (page) => (await documentOf(page)).display.rings[0];
 
 // --- Hands -----------------------------------------------------------------------------------------------------------
 
-/// Takes a handle and goes on along `way` (CSS pixels), a few pixels at a time, until the page says that this was it. The
-/// longest way there is ends as it is.
+/// Takes a handle and goes on along `way` (CSS pixels), `step` pixels at a time, until the page says that this was it, or
+/// to its end.
 async function pull(page, id, handle, way, { shift = false, step = 6 } = {}) {
   const { screen } = await handleAt(page, handle);
   await page.mouse.move(...screen);
@@ -204,7 +204,8 @@ const solutions = {
         await page.mouse.up();
         await frameDrawn(page);
         if (await solved(page, id)) return;
-        if (JSON.stringify((await documentOf(page)).objects) !== JSON.stringify(before)) await page.keyboard.press('Control+z');
+        const changed = JSON.stringify((await documentOf(page)).objects) !== JSON.stringify(before);
+        if (changed) await page.keyboard.press('Control+z');
       }
     },
   },
@@ -326,14 +327,17 @@ async function startAgain(page, id, start) {
   assert.deepEqual((await documentOf(page)).objects, start.objects, `${id} does not start again`);
 }
 
-pageTest('each exercise has a solution here', {}, async (page) => {
-  const all = (await exercisesOf(page)).map(({ id }) => id);
-  assert.deepEqual(Object.keys(solutions).sort(), [...all].sort());
-});
+/// The chapters that have exercises.
 const chapters = [
   'bezier-curves', 'bsplines', 'fitting', 'subdivision-curves', 'blending-functions', 'blending-splines',
   'tensor-surfaces', 'blending-surface', 'in-code',
 ];
+
+pageTest('each exercise has a solution here, and is in one of the chapters that are read', {}, async (page) => {
+  const all = await exercisesOf(page);
+  assert.deepEqual(Object.keys(solutions).sort(), all.map(({ id }) => id).sort());
+  assert.deepEqual([...new Set(all.map(({ chapter }) => chapter))], chapters);
+});
 
 for (const chapter of chapters) {
   pageTest(`the exercises of a chapter are solved by hand: ${chapter}`, reading, async (page) => {
