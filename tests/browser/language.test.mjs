@@ -18,7 +18,8 @@ after(() => {
   server.close();
 });
 
-/// Texts and spoken attributes of the page with two letters of English in a row that have no disguise.
+/// Texts and spoken attributes of the page that have words (two letters in a row) and no disguise at all: of a text put
+/// together from parts, one disguised part hides the others.
 const undisguised = (page) =>
   page.evaluate(() => {
     const bare = (text) => /[A-Za-z]{2}/.test(text) && !/[áéíóúýçñÁÉÍÓÚÇÑ·]/.test(text);

@@ -512,10 +512,13 @@ async function coloursOf(page, still) {
   return colours.size;
 }
 
-pageTest('on paper every figure has its still picture, and the stage is not there', { dark: true, followed: true }, async (page) => {
+const onPaper = { dark: true, followed: true };
+
+pageTest('on paper every figure has its still picture, and the stage is not there', onPaper, async (page) => {
   const figures = await page.locator('[data-figure]').count();
   const fetched = () =>
     page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /svg$/.test(name)).length);
+  // The page's icon, and the first figure until it is alive.
   assert.equal(await fetched(), 2, 'stills have been fetched while the figures are alive');
   await page.emulateMedia({ media: 'print', colorScheme: 'light' });
   assert.ok((await page.getByRole('main').boundingBox()).width > 500, 'the prose is narrow on paper');
@@ -530,23 +533,35 @@ pageTest('on paper every figure has its still picture, and the stage is not ther
   assert.ok(paper.length > 2e6, `the print has ${paper.length} bytes`);
 });
 
-for (const [name, options] of [['JavaScript', { scripts: false, wait: false }], ['WebGL', { wait: false, before: (page) => page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)), expected: [/WebGL/] }]]) {
+const lacks = {
+  JavaScript: { scripts: false, wait: false },
+  WebGL: {
+    wait: false,
+    before: (page) => page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)),
+    expected: [/WebGL/],
+  },
+};
+
+for (const [name, options] of Object.entries(lacks)) {
   pageTest(`without ${name} every figure has its still picture`, options, async (page) => {
     if (name === 'WebGL') await until(page, () => document.getElementById('stage').dataset.state === 'trouble');
     for (const figure of await page.locator('[data-figure]').all()) {
       const still = figure.locator('.still');
       assert.equal(await still.isVisible(), true);
       assert.ok((await still.getAttribute('alt')).length > 15, await still.getAttribute('alt'));
-      const few = (await figure.getAttribute('data-figure')) === 'two-points' ? 8 : 14;
+      const id = await figure.getAttribute('data-figure');
+      const few = id === 'two-points' ? 8 : 14;  // a segment alone
       const colours = await coloursOf(page, still);
-      assert.ok(colours > few, `${await figure.getAttribute('data-figure')}: ${colours} colours`);
+      assert.ok(colours > few, `${id}: ${colours} colours`);
     }
   });
 }
 
 pageTest('the description of the stage follows its state', {}, async (page) => {
   const description = () =>
-    page.locator('canvas').evaluate((canvas) => canvas.ariaDescribedByElements.map(({ textContent }) => textContent).join(' '));
+    page
+      .locator('canvas')
+      .evaluate((canvas) => canvas.ariaDescribedByElements.map(({ textContent }) => textContent).join(' '));
   assert.match(await description(), /u closed, v closed.*locals u 6.*Polynomial, order 2/);
   await call(page, 'set', 'locals.u', 5);
   await call(page, 'set', 'topology.v', 'open');
