@@ -21,7 +21,8 @@ const isFarScene = (key) => {
 };
 
 // Still pictures of figures are not fetched while the figures are alive (browser/page.test.mjs).
-const lazy = new Set([...page.matchAll(/<img class="still" src="\.\/([^"]*)"[^>]* loading="lazy"/g)].map(([, file]) => file));
+const stills = page.matchAll(/<img class="still" src="\.\/([^"]*)"[^>]* loading="lazy"/g);
+const lazy = new Set([...stills].map(([, file]) => file));
 const isLazy = (file) => lazy.has(file) || /\/last-[\w-]+\.wasm$/.test(file);
 
 const loaded = new Set(['index.html', 'arriving.js', 'favicon.svg', 'manifest.webmanifest']);

@@ -8,8 +8,8 @@ import { join } from 'node:path';
 const folder = fileURLToPath(new URL('../chapters', import.meta.url));
 const own = join(folder, 'spelling.txt');
 
-/// What is read as prose: titles and summaries, but neither ids, mathematics, code, links' targets, block heads nor goals.
-/// Lines stay where they are.
+/// What is read as prose: titles and summaries too, but neither ids, mathematics, code, links' targets, block heads nor
+/// goals. Lines stay where they are.
 function prose(source) {
   const blank = (text) => text.replace(/[^\n]/g, ' ');
   return source
@@ -22,7 +22,10 @@ function prose(source) {
 
 function unknown(words) {
   const run = spawnSync('hunspell', ['-d', 'en_GB', '-p', own, '-l'], { input: words.join('\n'), encoding: 'utf8' });
-  if (run.error) throw new Error('the spelling is checked by hunspell: install it with its British dictionary (hunspell-en-gb)');
+  if (run.error) {
+    const help = 'the spelling is checked by hunspell: install it with its British dictionary (hunspell-en-gb)';
+    throw new Error(help, { cause: run.error });
+  }
   if (run.status !== 0) throw new Error(`hunspell: ${run.stderr}`);
   return new Set(run.stdout.split('\n').filter(Boolean));
 }
