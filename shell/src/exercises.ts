@@ -16,13 +16,13 @@ export class Exercises {
   private readonly announce: (words: string) => void;
   private readonly forgetButton = document.getElementById('forget');
 
-  /// `look` has to call update().
+  /// `refresh` has to call update().
   constructor(
     figures: readonly Figure[],
     scenes: Scenes,
     bridge: Bridge,
     announce: (words: string) => void,
-    look: () => void,
+    refresh: () => void,
   ) {
     this.scenes = scenes;
     this.bridge = bridge;
@@ -44,7 +44,7 @@ export class Exercises {
       // A frame or two later the stage has seen it, too.
       letGo = window.setTimeout(() => {
         this.held = false;
-        look();
+        refresh();
       }, 100);
     };
     addEventListener('pointerdown', hold, true);
@@ -55,8 +55,8 @@ export class Exercises {
   update(parameters: ReadonlyMap<string, Parameter>): void {
     const row = this.rows.find(({ figure }) => figure === this.scenes.shown);
     if (!row || this.solved.has(row.figure.id)) return;
-    // A hand that seeks a place has found it when it passes there. A slider passes all numbers: what is to be chosen has
-    // been chosen when it is let go.
+    // A hand that seeks a place (< and >) has found it when it passes there. A slider passes all numbers: what is to be
+    // chosen (= and != alone) has been chosen when it is let go.
     if (this.held && !row.goal.some(({ sign }) => /[<>]/.test(sign))) return;
     const look = (name: string): Parameter['value'] | undefined =>
       parameters.get(name)?.value ?? this.bridge.measure(name) ?? undefined;
