@@ -13,7 +13,8 @@ function sourceUrl(): string {
   return given ?? (host && repository ? `${host}/${repository}` : '');
 }
 
-const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl(), language: process.env['KNOTWORK_LANGUAGE'] ?? 'en' };
+const language = process.env['KNOTWORK_LANGUAGE'] ?? 'en';
+const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl(), language };
 
 export default defineConfig({
   root,

@@ -5,7 +5,8 @@ import { say, sayName } from './words';
 const silent = ['Sampling', 'Motion', 'Model', 'Animation'];
 
 /// What stands on the stage, for those who do not see it: "As it stands: curve open, degree 3, t 1.6. Shown: knots,
-/// control polygon. Point 2 is selected." Rows are in the page's language; `selected` is a handle's name in English or ''.
+/// control polygon. Point 2 is selected." The rows are in the page's language; `selected` is a handle's name in English,
+/// '' for none.
 export function describe(rows: ReadonlyMap<string, Parameter>, selected: string): string {
   const told = [...rows.values()].filter(({ group }) => !silent.some((name) => group === say(name)));
   const facts = told

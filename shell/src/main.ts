@@ -44,7 +44,7 @@ void parsed.then(() => {
 void begin();
 
 async function begin(): Promise<void> {
-  document.documentElement.classList.add('scripted');
+  document.documentElement.classList.add('scripted');  // again, after a download that has failed
   showProgress(0);
   // What still arrives after one download has failed must not hide the message.
   let waiting = true;

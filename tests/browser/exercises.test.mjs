@@ -15,8 +15,8 @@ const ringOf = async (page) => (await documentOf(page)).display.rings[0];
 
 // --- Hands -----------------------------------------------------------------------------------------------------------
 
-/// Takes a handle and goes on along `way` (CSS pixels), `step` pixels at a time, until the page says that this was it, or
-/// to its end.
+/// Takes a handle and goes on along `way` (CSS pixels), `step` pixels at a time, until the page says that this was it,
+/// or to its end.
 async function pull(page, id, handle, way, { shift = false, step = 6 } = {}) {
   const { screen } = await handleAt(page, handle);
   await page.mouse.move(...screen);
@@ -302,17 +302,20 @@ const progressOf = async (page, chapter) => {
 async function assertRingShows(page, id) {
   const { project } = await projection(page);
   const place = project(await ringOf(page));
-  assert.equal(await page.evaluate((at) => document.elementFromPoint(...at)?.tagName, place), 'CANVAS', `${id}: no ring`);
+  const there = await page.evaluate((at) => document.elementFromPoint(...at)?.tagName, place);
+  assert.equal(there, 'CANVAS', `${id}: no ring`);
   for (const { label, rect: [x, y, width, height] } of await call(page, 'widgets')) {
     const beside = place[0] < x - 12 || place[0] > x + width + 12 || place[1] < y - 12 || place[1] > y + height + 12;
     assert.ok(beside, `${id}: its ring is under ${label}`);
   }
   const ratio = await page.evaluate(() => devicePixelRatio);
   const { data, width } = PNG.sync.read(await page.screenshot());
+  const middle = 9.75;  // of the rim, CSS pixels from the centre (add_rings in web/stage_ornaments.cpp)
   let red = 0;
   for (let k = 0; k < 72; ++k) {
     const turn = (k * Math.PI) / 36;
-    const [x, y] = place.map((c, axis) => Math.round(ratio * (c + 9.75 * (axis ? Math.sin(turn) : Math.cos(turn))) - 0.5));
+    const way = [middle * Math.cos(turn), middle * Math.sin(turn)];
+    const [x, y] = plus(place, way).map((c) => Math.round(ratio * c - 0.5));
     const [r, g, b] = data.subarray(4 * (y * width + x));
     if (r > g + 40 && r > b + 40) ++red;
   }

@@ -23,8 +23,9 @@ pageTest('every reference on the page has its target, and no name stands twice',
       const { protocol, origin, hash, hostname, username } = link;
       if (target.startsWith('#')) {
         if (!known.has(decodeURIComponent(hash.slice(1)))) found.push(`${target} leads nowhere`);
-      } else if (origin !== location.origin && (protocol !== 'https:' || !/^[a-z\d-]+(\.[a-z\d-]+)+$/.test(hostname) || username)) {
-        found.push(`${target} is no address of the open web`);
+      } else if (origin !== location.origin) {
+        const open = protocol === 'https:' && /^[a-z\d-]+(\.[a-z\d-]+)+$/.test(hostname) && !username;
+        if (!open) found.push(`${target} is no address of the open web`);
       }
     }
     return found;
