@@ -1,6 +1,7 @@
 // The program that the site's build runs under Node (shell/plugins/stills.ts): a figure of the page as an SVG picture.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -15,12 +16,12 @@
 namespace knotwork::web {
 namespace {
 
-/// As the page reads values (shell/src/goals.ts): true, false, a number, else a word.
+/// As the page reads values (parseValue() in shell/src/goals.ts): true, false, a finite number, else a word.
 scene::ParameterValue value_of(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  if (!text.empty() && end == text.c_str() + text.size()) return number;
+  if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(number)) return number;
   return text;
 }
 
