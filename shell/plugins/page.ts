@@ -24,6 +24,7 @@ interface PageChapter extends Chapter {
 export function page(options: PageOptions): Plugin {
   const generated = join(options.root, 'generated');
   const chapterDirectory = join(options.root, 'chapters');
+  const sceneDirectory = join(options.root, 'scenes');
   const language = new Language(options.root, options.language);
   let chapters: PageChapter[] = [];
   let stills: Stills | undefined;
@@ -44,7 +45,7 @@ export function page(options: PageOptions): Plugin {
       });
     checkNames(chapters);
     mkdirSync(generated, { recursive: true });
-    stills ??= await Stills.make(options.moduleDirectory, join(options.root, 'scenes'));
+    stills ??= await Stills.make(options.moduleDirectory, sceneDirectory);
     stills.write(join(generated, 'stills'), chapters.flatMap(({ figures }) => figures));
     const page = chapters.map(({ html }) => html).join('');
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));
@@ -77,7 +78,7 @@ export function page(options: PageOptions): Plugin {
     }),
 
     async handleHotUpdate({ file, server }) {
-      if (!file.startsWith(chapterDirectory)) return;
+      if (!file.startsWith(chapterDirectory) && !file.startsWith(sceneDirectory)) return;
       await prepare();
       server.ws.send({ type: 'full-reload' });
     },
