@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "knotwork/mesh/blending_tables.h"
+#include "knotwork/mesh/curvature_field.h"
 #include "knotwork/mesh/net_tables.h"
 #include "knotwork/mesh/surface_tables.h"
 #include "knotwork/scene/chapters.h"
@@ -322,7 +323,7 @@ void App::update_geometry() {
     update_figure(geometry_.figure, shape, document_.animation);
     geometry_.made_from = shape;
     geometry_.animation = document_.animation;
-    geometry_.comb.reset();
+    geometry_.tools.reset();
     handles_.clear();
   }
   evaluating_ms_ += milliseconds() - start;
@@ -376,13 +377,40 @@ void App::update_net(const scene::BSplineSurfaceObject& object) {
 
 void App::upload() {
   const double start = milliseconds();
+  const scene::Display& display = document_.display;
+  // What jumps at knot lines is what is looked for. Sheets do not go with that grid.
+  const bool parted = display.shading != scene::Shading::lit && !display.local_patches;
+  if (parted != geometry_.parted) geometry_.tables_uploaded = false;
+  geometry_.parted = parted;
+  if (!geometry_.maps_uploaded || display.shading == scene::Shading::lit) geometry_.quality.reset();
   if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
     upload_blending(*blending, *std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from));
   if (const auto* net = std::get_if<NetSurfaceFigure>(&*geometry_.figure))
     upload_net(*net, *std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from));
   if (const auto* model = std::get_if<ModelSurfaceFigure>(&*geometry_.figure))
     upload_model(*model, *std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from));
+  if (display.shading != scene::Shading::lit && surface_of(*geometry_.figure)) look_into_surface();
   evaluating_ms_ += milliseconds() - start;
+}
+
+/// Curvature for the colours, and how smooth the surface is at its knot lines.
+void App::look_into_surface() {
+  const scene::Shading shading = document_.display.shading;
+  if (geometry_.quality && geometry_.quality->shading == shading) return;
+  const KnottedSurface surface = *surface_of(*geometry_.figure);
+  SurfaceQuality quality{.shading = shading};
+  if (shading == scene::Shading::gaussian || shading == scene::Shading::mean) {
+    const auto kind = shading == scene::Shading::mean ? CurvatureKind::mean : CurvatureKind::gaussian;
+    const CurvatureField field = curvature_field(surface, chosen_grid(), kind);
+    renderer_.upload_curvature(field.values);
+    quality.scale = field.scale;
+  }
+  JointSeams seams;
+  if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
+    seams = {!blending->surface.twist_u(), !blending->surface.twist_v()};
+  quality.joints = surface_joints(surface, 4, seams);
+  geometry_.quality = quality;
+  request_frames(1);  // the numbers stand in the next picture
 }
 
 /// Whether tables have to be made for the surface on the stage, of a grid that is chosen then.
@@ -402,6 +430,7 @@ bool App::choose_grid(int samples_u, int samples_v) {
                                     .now = now_});
   if (grid_.wants_another_look()) request_frames(1);
   geometry_.tables_uploaded = true;
+  if (chosen) geometry_.quality.reset();
   return chosen;
 }
 
@@ -413,8 +442,7 @@ void App::allow_fitted_grids() {
 void App::upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurfaceObject& object) {
   const BSplineSurface& surface = figure.shown.surface;
   const int rows = surface.knots_u().count(), columns = surface.knots_v().count();
-  if (choose_grid(object.samples_u, object.samples_v))
-    renderer_.upload(net_tables(surface, grid_.grid(*geometry_.figure)));
+  if (choose_grid(object.samples_u, object.samples_v)) renderer_.upload(net_tables(surface, chosen_grid()));
   if (!geometry_.maps_uploaded) renderer_.upload_net(point_table(surface), rows, columns);
   if (!geometry_.hues_uploaded) renderer_.upload_hues(net_hues(figure.shown, object, theme_.dark), rows, columns);
   geometry_.maps_uploaded = geometry_.hues_uploaded = true;
@@ -422,7 +450,7 @@ void App::upload_net(const NetSurfaceFigure& figure, const scene::BSplineSurface
 
 void App::upload_model(const ModelSurfaceFigure& figure, const scene::ModelSurfaceObject& object) {
   if (choose_grid(object.samples_u, object.samples_v))
-    renderer_.upload(surface_tables(knotted_surface(figure.shown), grid_.grid(*geometry_.figure)));
+    renderer_.upload(surface_tables(knotted_surface(figure.shown), chosen_grid()));
   if (!geometry_.hues_uploaded) renderer_.upload_hues(std::array{model_hue(theme_)}, 1, 1);
   geometry_.maps_uploaded = geometry_.hues_uploaded = true;
 }
@@ -432,7 +460,7 @@ void App::upload_blending(const BlendingFigure& figure, const scene::BlendingSur
   const MapCounts counts = map_counts(surface);
   const int most = roll_.active ? rolling_samples : scene::max_samples;
   if (choose_grid(std::min(object.samples_u, most), std::min(object.samples_v, most)))
-    renderer_.upload(blending_tables(surface, grid_.grid(*geometry_.figure)));
+    renderer_.upload(blending_tables(surface, chosen_grid()));
   if (!geometry_.maps_uploaded) {
     map_table(surface, maps_);
     renderer_.upload_maps(maps_, counts.u, counts.v);
@@ -583,20 +611,23 @@ void App::frame_all() {
   compose_for(extent(), camera_ms);
 }
 
-/// What the picture of the figure has to have room for. A figure without comb and rings does not call for them: what
-/// makes them is in the second part of the module, and a call would wait for it.
+/// What the picture of the figure has to have room for. A figure without tools does not call for them: what makes them is
+/// in the last part of the module, and a call would wait for it.
 std::vector<glm::dvec3> App::extent() {
   std::vector<glm::dvec3> points = outline(*geometry_.figure);
-  if (document_.display.comb)
-    add_extent(points, document_.display, comb());
-  else if (!document_.display.rings.empty())
-    add_extent(points, document_.display, {});
+  for (const Eigen::Vector3d& ring : document_.display.rings) points.push_back(to_glm(ring));
+  if (!wants_tools(document_.display)) return points;
+  const std::vector<glm::dvec3>& tips = tools().tips;
+  points.insert(points.end(), tips.begin(), tips.end());
   return points;
 }
 
-std::span<const CombHair> App::comb() {
-  if (!geometry_.comb) geometry_.comb = curvature_comb(*geometry_.figure);
-  return *geometry_.comb;
+const CurveTools& App::tools() {
+  if (!geometry_.tools || !(geometry_.tools_of == document_.display)) {
+    geometry_.tools = curve_tools(*geometry_.figure, document_.display);
+    geometry_.tools_of = document_.display;
+  }
+  return *geometry_.tools;
 }
 
 // --- Frame ---------------------------------------------------------------------------------------------------------
@@ -661,7 +692,8 @@ void App::run_interface(double seconds) {
                .can_redo = history_.can_redo(),
                .reduced_motion = reduced_motion_,
                .labels = stage_labels(),
-               .notice = notice_},
+               .notice = notice_,
+               .quality = geometry_.quality},
               panel_output_);
   ImGui::Render();
 
@@ -719,8 +751,12 @@ Viewport App::free_viewport() const {
 View App::view() const { return make_view(document_.camera, free_viewport()); }
 
 std::vector<StageLabel> App::stage_labels() {
-  if (!shows_names(*geometry_.figure, document_.display)) return {};
-  return labels_of(*geometry_.figure, handles(), view(), theme_);
+  std::vector<StageLabel> labels;
+  const View now = view();
+  if (shows_names(*geometry_.figure, document_.display)) labels = labels_of(*geometry_.figure, handles(), now, theme_);
+  if (wants_tools(document_.display))
+    add_tool_labels(labels, *geometry_.figure, document_.display, tools(), now, theme_);
+  return labels;
 }
 
 /// Nothing while the sheet rolls: its parameters are not those of the surface that it becomes.
@@ -735,8 +771,9 @@ const Picture& App::picture() {
   picture.theme = theme_;
   picture.display = document_.display;
   picture.floor = floor_;
+  if (geometry_.quality) picture.curvature_scale = geometry_.quality->scale;
   add_to_picture(picture, *geometry_.figure, {document_, interaction_, handles(), roll_.active});
-  if (document_.display.comb) add_comb(picture, comb());
+  if (wants_tools(document_.display)) add_tools(picture, *geometry_.figure, tools());
   if (!document_.display.rings.empty()) add_rings(picture);
   return picture;
 }

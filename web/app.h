@@ -11,7 +11,7 @@
 #include "knotwork/scene/history.h"
 #include "knotwork/scene/later.h"
 #include "knotwork/scene/surface_builder.h"
-#include "web/curvature_comb.h"
+#include "web/curve_tools.h"
 #include "web/interaction.h"
 #include "web/interface_style.h"
 #include "web/panels.h"
@@ -111,12 +111,16 @@ class App {
   /// What stands on the stage, and what it was made from. A blending surface is rebuilt by parts: edits and clock change
   /// the maps alone.
   struct Geometry {
-    std::optional<Figure> figure;               ///< there is one from the first frame on
-    std::optional<std::vector<CombHair>> comb;  ///< of a curve; made when first asked for
+    std::optional<Figure> figure;     ///< there is one from the first frame on
+    std::optional<CurveTools> tools;  ///< of a curve, for `tools_of`; made when first asked for
+    scene::Display tools_of;
     scene::Shape made_from;
     scene::Animation animation;
     scene::Roll roll{-1, -1};
     bool maps_uploaded = false, tables_uploaded = false, hues_uploaded = false;
+    bool parted = false;  ///< the grid of the tables
+    /// How the surface has been looked into for its present shading; made anew when either changes.
+    std::optional<SurfaceQuality> quality;
   };
 
   void advance(double now);
@@ -132,6 +136,8 @@ class App {
   void update_floor(double seconds);
   void upload();
   bool choose_grid(int samples_u, int samples_v);
+  SampleGrid chosen_grid() const { return grid_.grid(*geometry_.figure, geometry_.parted); }
+  KNOTWORK_LAST void look_into_surface();
   void run_interface(double seconds);
   void draw();
   void apply_outcome(const Outcome& outcome);
@@ -141,7 +147,7 @@ class App {
   void make_room_for(const std::vector<glm::dvec3>& next);
   void frame_all();
   std::vector<glm::dvec3> extent();
-  KNOTWORK_LATER std::span<const CombHair> comb();
+  KNOTWORK_LATER const CurveTools& tools();
   void place_picture();
   void compose_for(const std::vector<glm::dvec3>& points, double duration);
   void snap();

@@ -24,7 +24,9 @@ Eigen::Vector3d curvature_vector(const std::array<Eigen::Vector3d, 3>& c) {
   return (c[2] - c[2].dot(c[1]) / speed2 * c[1]) / speed2;
 }
 
-std::vector<CombHair> comb_of(const CurveView& view) {
+}  // namespace
+
+std::vector<CombHair> curvature_comb(const CurveView& view) {
   const std::vector<double> ends = piece_ends(view.start, view.end, view.breaks);
   const int pieces = static_cast<int>(ends.size()) - 1;
   const int hairs =
@@ -56,24 +58,6 @@ std::vector<CombHair> comb_of(const CurveView& view) {
     comb.push_back({glm::vec3(to_glm(foot)), glm::vec3(to_glm(tip)), last});
   }
   return comb;
-}
-
-}  // namespace
-
-std::vector<CombHair> curvature_comb(const Figure& figure) {
-  if (const auto* curve = std::get_if<scene::CurveFigure>(&figure)) return comb_of(curve_view(curve->curve));
-  if (const auto* fit = std::get_if<scene::FitFigure>(&figure)) return comb_of(curve_view(fit->curve.curve));
-  if (const auto* polygon = std::get_if<scene::SubdivisionFigure>(&figure))
-    return comb_of(curve_view(polygon->limit.curve));
-  if (const auto* model = std::get_if<scene::ModelCurveFigure>(&figure)) return comb_of(curve_view(model->model));
-  if (const auto* blending = std::get_if<scene::BlendingCurveFigure>(&figure))
-    return comb_of(curve_view(blending->curve));
-  return {};
-}
-
-void add_extent(std::vector<glm::dvec3>& points, const scene::Display& display, std::span<const CombHair> comb) {
-  for (const Eigen::Vector3d& ring : display.rings) points.push_back(to_glm(ring));
-  for (const CombHair& hair : comb) points.emplace_back(hair.tip);
 }
 
 void add_comb(Picture& picture, std::span<const CombHair> comb) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "knotwork/curve/parametric_curve.h"
 #include "knotwork/later.h"
 #include "web/figure_picture.h"
 
@@ -15,14 +16,10 @@ struct CombHair {
 
 /// The curvature comb of a curve: at many places a hair away from the centre of curvature, as long as the curvature
 /// there times a fixed share of the curve's size squared; what would be longer than 0.45 of the size is cut off. Where
-/// pieces of the curve meet the comb has both sides: a step in it is a curvature that jumps. Nothing for surfaces.
-KNOTWORK_LATER std::vector<CombHair> curvature_comb(const Figure& figure);
-
-/// What a picture of a figure has to have room for beside its outline: rings, and the comb.
-KNOTWORK_LATER void add_extent(std::vector<glm::dvec3>& points, const scene::Display& display,
-                               std::span<const CombHair> comb);
+/// pieces of the curve meet the comb has both sides: a step in it is a curvature that jumps.
+KNOTWORK_LAST std::vector<CombHair> curvature_comb(const CurveView& curve);
 
 /// The hairs, and a line along the tips of each piece.
-KNOTWORK_LATER void add_comb(Picture& picture, std::span<const CombHair> comb);
+KNOTWORK_LAST void add_comb(Picture& picture, std::span<const CombHair> comb);
 
 }  // namespace knotwork::web

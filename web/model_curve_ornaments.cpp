@@ -3,24 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 
 #include "web/curve_ornaments.h"
 #include "web/curve_path.h"
+#include "web/curve_tools.h"
 #include "web/vectors.h"
 
 namespace knotwork::web {
 namespace {
 
-constexpr float curve_ink = 3.6F, dense_ink = 1.8F, circle_ink = 1.3F, arrow_ink = 2.4F;  // widths, CSS pixels
+constexpr float curve_ink = 3.6F, dense_ink = 1.8F, arrow_ink = 2.4F;  // widths, CSS pixels
 constexpr double arrow_length = 58, frame_barb_length = 9, frame_barb_width = 4.5, label_gap = 13;
-constexpr float paleness = 0.42F;  // of the farthest part
-constexpr int circle_steps = 96;
-constexpr double largest_circle = 2;  // of the curve's size; a larger one is nearly a line through the picture
-constexpr std::size_t dense = 3000;   // samples: a curve of so many turns would run together
+constexpr float paleness = 0.42F;    // of the farthest part
+constexpr std::size_t dense = 3000;  // samples: a curve of so many turns would run together
 
 const Colour& curve_hue(const Theme& theme) { return theme.local[0]; }
 
@@ -54,16 +52,9 @@ void add_arrow(Picture& picture, glm::dvec3 foot, const FrameArrow& arrow) {
 }
 
 void add_circle(Picture& picture, const scene::ModelCurveFigure& figure) {
-  if (!figure.circle || figure.circle->radius > largest_circle * figure.size) return;
-  const auto [centre, radius] = *figure.circle;
-  const Colour ink = mixed(picture.theme.stage, bend_hue(picture.theme), 0.75F);
-  const auto at = [&, c = centre, r = radius](int k) {
-    const double angle = 2 * std::numbers::pi * k / circle_steps;
-    return glm::vec3(
-        to_glm(c - r * std::cos(angle) * figure.frame.normal + r * std::sin(angle) * figure.frame.tangent));
-  };
-  for (int k = 0; k < circle_steps; ++k) picture.ribbons.push_back({at(k), at(k + 1), to_glm(ink, 1), circle_ink});
-  picture.discs.push_back({glm::vec3(to_glm(centre)), 2.6F, to_glm(ink, 1), to_glm(ink), 1});
+  if (!figure.circle) return;
+  add_osculating_circle(picture, to_glm(figure.circle->centre), figure.circle->radius, to_glm(figure.frame.tangent),
+                        to_glm(figure.frame.normal), figure.size);
 }
 
 }  // namespace

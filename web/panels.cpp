@@ -4,10 +4,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <span>
 #include <utility>
 
 #include "knotwork/later.h"
+#include "web/curvature_colours.h"
 #include "web/few.h"
 #include "web/figure_panel.h"
 
@@ -20,7 +22,10 @@ using scene::ParameterKind;
 // Every word of the interface that is neither in the parameter table nor a figure's own.
 namespace words {
 constexpr std::string_view controls = "Controls", more = "Display, sampling, motion", display = "Display",
-                           undo = "Undo", redo = "Redo", frame = "Show the whole figure", domain = "domain";
+                           undo = "Undo", redo = "Redo", frame = "Show the whole figure", domain = "domain",
+                           slopes = "angle to the vertical, every 10°", gaussian = "Gaussian curvature K",
+                           mean = "mean curvature H", kink = "at knots: a kink of ",
+                           bend = "at knots: curvature jumps by ", smooth = "at knots: no jump up to curvature";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
@@ -630,6 +635,53 @@ void readout(Frame& frame) {
   ImGui::End();
 }
 
+/// At the stage's lower left: the colours of a curvature with its scale, or what the lines mean; and what is left of
+/// smoothness across knot lines.
+KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
+  const Theme& theme = frame.input.theme;
+  const bool curved = quality.shading == scene::Shading::gaussian || quality.shading == scene::Shading::mean;
+  const bool lines = quality.shading == scene::Shading::isophotes;
+  const float left = frame.ui.touch ? 16 : 22, width = 176, height = curved ? 62 : lines ? 38 : 20;
+  const Rect place{left, frame.stage.height - frame.foot() - height - 4, width, height};
+  begin(frame, "legend", {place.x - 4, place.y - 4, place.width + 28, place.height + 8},
+        ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
+  frame.output.readouts.push_back({0, place.y - 4.0, place.x + place.width + 8.0, place.height + 8.0});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float y = place.y + 8;
+  if (lines) {
+    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), words::slopes);
+    y += 18;
+  }
+  if (curved) {
+    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
+         quality.shading == scene::Shading::mean ? words::mean : words::gaussian);
+    const CurvatureColours colours;
+    constexpr int parts = 44;
+    const float top = y + 9, part = width / parts;
+    for (int k = 0; k < parts; ++k) {
+      const float share = 2 * (static_cast<float>(k) + 0.5F) / parts - 1;
+      list.AddRectFilled({left + static_cast<float>(k) * part, top}, {left + static_cast<float>(k + 1) * part, top + 9},
+                         colour(srgb(colours.at(share))));
+    }
+    for (int k = 0; k <= 8; ++k) {
+      const float x = left + width * static_cast<float>(k) / 8;
+      list.AddLine({x, top}, {x, top + (k % 4 == 0 ? 12.0F : 9.0F)}, colour(theme.ink, 0.35F));
+    }
+    const std::string end = text_of("%.3g", quality.scale);
+    text(frame.ui, Face::small, {left, top + 19}, colour(theme.ink), "−" + end);
+    text(frame.ui, Face::small, {left + width / 2, top + 19}, colour(theme.ink), "0", Align::centre);
+    text(frame.ui, Face::small, {left + width, top + 19}, colour(theme.ink), end, Align::right);
+    y = top + 36;
+  }
+  const SurfaceJoints& joints = quality.joints;
+  const double degrees = joints.kink * 180 / std::numbers::pi;
+  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
+       degrees >= 0.05        ? Words().add(words::kink).add(text_of("%.1f", degrees)).add("°")
+       : joints.bend >= 0.005 ? Words().add(words::bend).add(text_of("%.2f", joints.bend))
+                              : Words().add(words::smooth));
+  ImGui::End();
+}
+
 KNOTWORK_LATER void draw_notice(Frame& frame, const std::string& words, float share) {
   const Theme& theme = frame.input.theme;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
@@ -676,6 +728,7 @@ void draw_panels(PanelState& state, const PanelInput& input, PanelOutput& output
   state.list_open = false;
   labels(frame);
   readout(frame);
+  if (input.quality && !(input.phone && state.drawer_open)) legend(frame, *input.quality);
   if (!input.phone || state.drawer_share < 1) {
     figure_foot(frame);
     if (frame.has_clock()) clock(frame);

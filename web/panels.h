@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "knotwork/scene/commands.h"
+#include "knotwork/surface/surface_joints.h"
 #include "web/figure.h"
 #include "web/theme.h"
 
@@ -39,6 +40,13 @@ struct Probe {
   double blend_w_u;  ///< w in [0,1] in the u interval: the dot on the plot of B
 };
 
+/// What the shading of a surface says in numbers.
+struct SurfaceQuality {
+  scene::Shading shading = scene::Shading::lit;
+  double scale = 1;  ///< where the colours of a curvature end
+  SurfaceJoints joints;
+};
+
 /// All that the panels show. They change nothing; what the reader asks for comes back as commands.
 struct PanelInput {
   const scene::Document& document;
@@ -52,7 +60,8 @@ struct PanelInput {
   bool can_undo = false, can_redo = false;
   bool reduced_motion = false;  ///< no easing of hover and switches
   std::vector<StageLabel> labels;
-  std::string notice;  ///< a refusal or hint to show for a moment, may be empty
+  std::string notice;                     ///< a refusal or hint to show for a moment, may be empty
+  std::optional<SurfaceQuality> quality;  ///< of a surface that is not just lit
 };
 
 /// State of the panels alone (what is folded, the drawer, what is fading out); one struct, passed by reference.

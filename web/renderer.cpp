@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "knotwork/mesh/surface_sampling.h"
+#include "web/curvature_colours.h"
 #include "web/surface_textures.h"
 #include "web/vectors.h"
 
@@ -169,6 +170,8 @@ void Renderer::upload_hues(std::span<const glm::vec3> hues, int rows, int column
   gl_->textures.upload_hues(hues, rows, columns);
 }
 
+void Renderer::upload_curvature(std::span<const double> values) { gl_->textures.upload_curvature(values); }
+
 RendererStats Renderer::stats() const {
   RendererStats stats = stats_;
   stats.upload_bytes += gl_->textures.uploaded_bytes();
@@ -278,6 +281,13 @@ void Renderer::draw_surface(GlState& state, const Picture& picture) {
   program.set("u_held_cells", picture.support.value_or(glm::vec4(0)));
   program.set("u_held", picture.support ? 1.0F : 0.0F);
   program.set("u_back_shade", picture.one_sided ? 0.0F : 1.0F);
+  // Both curvatures are drawn alike.
+  program.set("u_shading", std::min(static_cast<int>(picture.display.shading), 3));
+  const CurvatureColours colours;
+  program.set("u_curvature_scale", static_cast<float>(picture.curvature_scale));
+  program.set("u_least_hue", colours.least);
+  program.set("u_zero_hue", colours.zero);
+  program.set("u_greatest_hue", colours.greatest);
   state.bind(gl_->surface_array);
   glDrawElements(GL_TRIANGLES, gl_->surface_index_count, GL_UNSIGNED_INT, nullptr);
   ++stats_.draw_calls;

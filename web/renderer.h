@@ -47,7 +47,8 @@ struct Picture {
   glm::dvec3 target{0};  ///< what the camera turns about
   Theme theme;
   scene::Display display;
-  bool surface = false;  ///< the tables uploaded last are shown
+  bool surface = false;        ///< the tables uploaded last are shown
+  double curvature_scale = 1;  ///< where the colours of the curvature uploaded last end
   Floor floor;
   int locals_u = 1, locals_v = 1;  ///< of the maps uploaded last
   SheetDirections sheets;
@@ -108,6 +109,7 @@ class Renderer {
   void upload_maps(const std::vector<float>& texels, int locals_u, int locals_v);
   void upload_net(const std::vector<float>& texels, int rows, int columns);
   void upload_hues(std::span<const glm::vec3> hues, int rows, int columns);
+  void upload_curvature(std::span<const double> values);
 
   /// Begins the frame's counts and draws the picture over the whole canvas.
   void draw(const Picture& picture);

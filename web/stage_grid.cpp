@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -119,9 +120,10 @@ bool StageGrid::fit(const Look& look) {
   return true;
 }
 
-SampleGrid StageGrid::grid(const Figure& figure) const {
+SampleGrid StageGrid::grid(const Figure& figure, bool parted) const {
   const KnottedSurface surface = *surface_of(figure);
-  return sample_grid(*surface.knots_u, *surface.knots_v, steps_, Seam::repeated);
+  SampleGrid grid = sample_grid(*surface.knots_u, *surface.knots_v, steps_, Seam::repeated);
+  return parted ? parted_at_knots(std::move(grid), *surface.knots_u, *surface.knots_v) : grid;
 }
 
 }  // namespace knotwork::web

@@ -31,7 +31,8 @@ class StageGrid {
 
   /// Whether tables have to be made for grid().
   bool choose(const Look& look);
-  SampleGrid grid(const Figure& figure) const;
+  /// parted: with the values of both sides at knot lines (parted_at_knots).
+  SampleGrid grid(const Figure& figure, bool parted = false) const;
   /// Whether the last look was put off.
   bool wants_another_look() const { return put_off_; }
   /// Fitting belongs to a later part of the module: nothing is fitted before that is here.

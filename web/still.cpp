@@ -15,7 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include "web/composition.h"
-#include "web/curvature_comb.h"
+#include "web/curve_tools.h"
 #include "web/figure_picture.h"
 #include "web/stage_ornaments.h"
 #include "web/still_surface.h"
@@ -204,7 +204,7 @@ struct Subject {
   const scene::Document& document;
   Figure& figure;
   std::span<const Handle> handles;
-  std::span<const CombHair> comb;
+  const CurveTools& tools;
   const View& view;
 
   Picture picture(bool dark) const {
@@ -215,14 +215,17 @@ struct Subject {
     picture.display = document.display;
     const InteractionState untouched;
     add_to_picture(picture, figure, {document, untouched, handles, false});
-    add_comb(picture, comb);
+    add_tools(picture, figure, tools);
     add_rings(picture);
     return picture;
   }
 
   std::vector<StageLabel> labels(bool dark) const {
-    if (!shows_names(figure, document.display)) return {};
-    return labels_of(figure, handles, view, make_theme(dark));
+    std::vector<StageLabel> names;
+    const Theme theme = make_theme(dark);
+    if (shows_names(figure, document.display)) names = labels_of(figure, handles, view, theme);
+    add_tool_labels(names, figure, document.display, tools, view, theme);
+    return names;
   }
 
   /// Whether the surface lies before a point of the model, by 8 pixels or more: what runs along it is seen.
@@ -279,8 +282,9 @@ std::string still(const scene::Document& document, const StillSize& size) {
   const scene::Shape& shape = scene::stage_shape(document);
   Figure figure = make_figure(shape, document.animation);
   std::vector<glm::dvec3> points = outline(figure);
-  const std::vector<CombHair> comb = document.display.comb ? curvature_comb(figure) : std::vector<CombHair>{};
-  add_extent(points, document.display, comb);
+  const CurveTools tools = curve_tools(figure, document.display);
+  points.insert(points.end(), tools.tips.begin(), tools.tips.end());
+  for (const Eigen::Vector3d& ring : document.display.rings) points.push_back(to_glm(ring));
   // A surface's shadow needs room below it.
   const std::array<std::array<double, 4>, 1> foot{{{0, 0.84 * size.height, size.width, 0.16 * size.height}}};
   const std::span<const std::array<double, 4>> below(foot.data(), surface_of(figure) ? 1 : 0);
@@ -291,7 +295,7 @@ std::string still(const scene::Document& document, const StillSize& size) {
   std::vector<Handle> handles;
   take_handles(figure, shape, handles);
   for (Handle& handle : handles) handle.screen = view.project(handle.position);
-  const Subject subject{seen, figure, handles, comb, view};
+  const Subject subject{seen, figure, handles, tools, view};
   const Picture light = subject.picture(false), dark = subject.picture(true);
   Painter painter{view, {}};
 

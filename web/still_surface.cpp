@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -9,9 +10,11 @@
 #include <glm/geometric.hpp>
 
 #include "knotwork/basis/bspline_basis.h"
+#include "knotwork/mesh/curvature_field.h"
 #include "knotwork/mesh/surface_sampling.h"
 #include "knotwork/scene/palette.h"
 #include "knotwork/surface/surface_measures.h"
+#include "web/curvature_colours.h"
 #include "web/model_ornaments.h"
 #include "web/net_ornaments.h"
 #include "web/vectors.h"
@@ -125,6 +128,49 @@ struct Corner {
 
 bool goes_round(const KnottedSurface& surface) { return surface.knots_u->closed() && surface.knots_v->closed(); }
 
+/// The colour of a place for a shading that is not the light alone, OKLab.
+class QualityHue {
+ public:
+  QualityHue(const KnottedSurface& surface, const SampleGrid& grid, scene::Shading shading) : shading_(shading) {
+    if (!curved()) return;
+    const auto kind = shading == scene::Shading::mean ? CurvatureKind::mean : CurvatureKind::gaussian;
+    scale_ = curvature_field(surface, grid, kind).scale;
+  }
+
+  /// `hue` is what the place has in the light alone.
+  glm::dvec3 at(const SurfaceJet& jet, glm::dvec3 hue, glm::dvec3 normal, glm::dvec3 to_eye) const {
+    switch (shading_) {
+      case scene::Shading::zebra: {
+        // As lamp() in shaders/surface.frag.
+        const glm::dvec3 mirrored = glm::reflect(-to_eye, normal);
+        const bool lamp = std::cos(14 * std::atan2(mirrored.y, mirrored.z)) > 0;
+        return lamp ? glm::dvec3(0.97, 0.35 * hue.y, 0.35 * hue.z) : glm::dvec3(0.30, 0.2 * hue.y, 0.2 * hue.z);
+      }
+      case scene::Shading::isophotes: {
+        // Bands instead of lines, which pieces are too coarse for.
+        const double angle = std::acos(std::clamp(unit_normal(jet).z(), -1.0, 1.0));
+        const bool odd = static_cast<int>(angle * 18 / std::numbers::pi) % 2 != 0;
+        return odd ? glm::dvec3(0.84 * hue.x, hue.y, hue.z) : hue;
+      }
+      case scene::Shading::gaussian:
+      case scene::Shading::mean: {
+        const SurfaceCurvature curved = curvature(jet);
+        const double value = shading_ == scene::Shading::mean ? curved.mean : curved.gaussian;
+        return CurvatureColours().at(static_cast<float>(value / scale_));
+      }
+      case scene::Shading::lit:
+        break;
+    }
+    return hue;
+  }
+
+ private:
+  bool curved() const { return shading_ == scene::Shading::gaussian || shading_ == scene::Shading::mean; }
+
+  scene::Shading shading_;
+  double scale_ = 1;
+};
+
 }  // namespace
 
 SurfacePieces surface_pieces(const Figure& figure, const scene::Document& document, const View& view, int pieces_u,
@@ -146,6 +192,7 @@ SurfacePieces surface_pieces(const Figure& figure, const scene::Document& docume
 
   const Theme theme = make_theme(false);
   const glm::dvec3 plain = oklab(Colour{0.80F, 0.79F, 0.76F});
+  const QualityHue quality(*surface, grid, document.display.shading);
   SurfacePieces pieces;
   std::vector<bool> backs;
   for (int a = 0; a + 1 < grid.columns(); ++a) {
@@ -171,7 +218,8 @@ SurfacePieces surface_pieces(const Figure& figure, const scene::Document& docume
           document.display.patch_colours
               ? scene::visit_first([&](const auto& shown) { return hue_at(shown, document, theme, u, v); }, figure)
               : plain;
-      Facet facet{{}, glm::dot(middle - view.eye, view.forward), lit(hue, normal, to_eye, back, view)};
+      const glm::dvec3 shown = quality.at(surface->evaluate(u, v), hue, normal, to_eye);
+      Facet facet{{}, glm::dot(middle - view.eye, view.forward), lit(shown, normal, to_eye, back, view)};
       for (std::size_t k = 0; k < 4; ++k) facet.corners[k] = glm::dvec2(*round[k]->screen);
       pieces.facets.push_back(facet);
       backs.push_back(back);

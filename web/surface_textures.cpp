@@ -7,10 +7,10 @@ namespace {
 
 /// Texels of `grid` for a direction: the sample's place counted in knot intervals; the first sample of the interval that
 /// is counted so.
-int add_lines(std::span<float> row, const std::vector<int>& starts) {
+int add_lines(std::span<float> row, const std::vector<int>& starts, bool parted) {
   int finest = 1;
   for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
-    const int steps = starts[k + 1] - starts[k];
+    const int steps = starts[k + 1] - starts[k] - (parted && k + 2 < starts.size() ? 1 : 0);
     finest = std::max(finest, steps);
     for (int step = 0; step <= steps; ++step)
       row[4 * static_cast<std::size_t>(starts[k] + step)] =
@@ -46,8 +46,8 @@ void SurfaceTextures::upload(const SampleGrid& lines) {
   intervals_ = {static_cast<int>(lines.starts_u.size()) - 1, static_cast<int>(lines.starts_v.size()) - 1};
   const int width = std::max(columns_, rows_);
   std::vector<float> texels(8 * static_cast<std::size_t>(width));
-  finest_steps_ = {add_lines(std::span(texels).first(texels.size() / 2), lines.starts_u),
-                   add_lines(std::span(texels).last(texels.size() / 2), lines.starts_v)};
+  finest_steps_ = {add_lines(std::span(texels).first(texels.size() / 2), lines.starts_u, lines.parted),
+                   add_lines(std::span(texels).last(texels.size() / 2), lines.starts_v, lines.parted)};
   set(grid, width, 2, texels);
 }
 
@@ -94,10 +94,16 @@ void SurfaceTextures::upload_hues(std::span<const glm::vec3> colours, int rows, 
   set(hues, columns, rows, texels);
 }
 
+void SurfaceTextures::upload_curvature(std::span<const double> values) {
+  std::vector<float> texels(4 * values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) texels[4 * k] = static_cast<float>(values[k]);
+  set(curvature, rows_, columns_, texels);
+}
+
 void SurfaceTextures::bind(GlState& state, const DrawProgram& program) const {
-  constexpr std::array<const char*, table_count> samplers{"u_points",  "u_partials_u",   "u_partials_v",
-                                                          "u_blend_u", "u_blend_v",      "u_maps",
-                                                          "u_hues",    "u_coefficients", "u_grid"};
+  constexpr std::array<const char*, table_count> samplers{"u_points",  "u_partials_u", "u_partials_v", "u_blend_u",
+                                                          "u_blend_v", "u_maps",       "u_hues",       "u_coefficients",
+                                                          "u_grid",    "u_curvature"};
   for (GLuint unit = 0; unit < table_count; ++unit) {
     // What this surface has no use for must still be a texture.
     state.bind(unit, tables_[unit] ? tables_[unit] : tables_[hues]);

@@ -32,6 +32,9 @@ class SurfaceTextures {
   /// OKLab of the hue of each local or control point, or of an evaluated surface.
   void upload_hues(std::span<const glm::vec3> hues, int rows, int columns);
 
+  /// A curvature at each vertex of the grid uploaded last; it stays until there is another one.
+  void upload_curvature(std::span<const double> values);
+
   /// Binds the textures and sets what else blending.glsl asks for. Precondition: the program is in use.
   void bind(GlState& state, const DrawProgram& program) const;
   /// The same with what sheet.glsl asks for. Precondition: has_locals().
@@ -61,6 +64,7 @@ class SurfaceTextures {
     hues,
     coefficients,
     grid,
+    curvature,
     table_count
   };
 

@@ -6,6 +6,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   curvature_comb.cpp
   curve_ornaments.cpp
   curve_path.cpp
+  curve_tools.cpp
   figure.cpp
   figure_picture.cpp
   fit_ornaments.cpp

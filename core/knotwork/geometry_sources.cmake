@@ -14,6 +14,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/bspline_curve.cpp
   knotwork/curve/bspline_refinement.cpp
   knotwork/curve/closest_point.cpp
+  knotwork/curve/continuity.cpp
   knotwork/curve/curve_catalogue.cpp
   knotwork/curve/curve_fit.cpp
   knotwork/curve/curve_measures.cpp
@@ -28,6 +29,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/curve/spline_pieces.cpp
   knotwork/curve/taylor3.cpp
   knotwork/mesh/blending_tables.cpp
+  knotwork/mesh/curvature_field.cpp
   knotwork/mesh/fitted_grid.cpp
   knotwork/mesh/net_tables.cpp
   knotwork/mesh/surface_sampling.cpp
@@ -44,6 +46,7 @@ set(KNOTWORK_GEOMETRY_SOURCES
   knotwork/surface/parametric_surface.cpp
   knotwork/surface/surface_area.cpp
   knotwork/surface/surface_catalogue.cpp
+  knotwork/surface/surface_joints.cpp
   knotwork/surface/surface_measures.cpp
   knotwork/surface/taylor2.cpp
 )
@@ -60,6 +63,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/bspline_curve.h
   knotwork/curve/bspline_refinement.h
   knotwork/curve/closest_point.h
+  knotwork/curve/continuity.h
   knotwork/curve/curve_catalogue.h
   knotwork/curve/curve_fit.h
   knotwork/curve/curve_measures.h
@@ -73,6 +77,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/curve/spline_pieces.h
   knotwork/curve/taylor3.h
   knotwork/mesh/blending_tables.h
+  knotwork/mesh/curvature_field.h
   knotwork/mesh/fitted_grid.h
   knotwork/mesh/mesh_data.h
   knotwork/mesh/net_tables.h
@@ -93,6 +98,7 @@ set(KNOTWORK_GEOMETRY_HEADERS
   knotwork/surface/surface_domain.h
   knotwork/surface/surface_frame.h
   knotwork/surface/surface_jet.h
+  knotwork/surface/surface_joints.h
   knotwork/surface/surface_measures.h
   knotwork/surface/taylor2.h
   knotwork/surface/taylor2_point.h

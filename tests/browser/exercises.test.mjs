@@ -174,6 +174,24 @@ const solutions = {
       await bring(page, 'point-2', [1.67, 0, 0]);
     },
   },
+  'dented-arch': {
+    wrong: async (page) => bring(page, 'point-3', [0, 2, 0]),
+    solve: async (page) => bring(page, 'point-3', [0, 3.4, 0]),
+  },
+  'whole-hodograph': {
+    wrong: async (page) => bring(page, 'point-4', [2, 0, 0]),
+    solve: async (page) => bring(page, 'point-4', [1, 0, 0]),
+  },
+  'straight-stripes': {
+    wrong: async (page) => {
+      await press(page, 'blending.function');
+      await press(page, 'blending.function: polynomial1');
+    },
+    solve: async (page) => {
+      await press(page, 'blending.function');
+      await press(page, 'blending.function: polynomial2');
+    },
+  },
   'unbroken-comb': {
     wrong: async (page) => slide(page, 'blending.parameter', 4),
     solve: async (page) => slide(page, 'blending.parameter', 3),
@@ -333,7 +351,7 @@ async function startAgain(page, id, start) {
 /// The chapters that have exercises.
 const chapters = [
   'bezier-curves', 'bsplines', 'fitting', 'subdivision-curves', 'blending-functions', 'blending-splines',
-  'tensor-surfaces', 'blending-surface', 'in-code',
+  'tensor-surfaces', 'blending-surface', 'quality', 'in-code',
 ];
 
 pageTest('each exercise has a solution here, and is in one of the chapters that are read', {}, async (page) => {

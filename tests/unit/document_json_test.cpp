@@ -41,7 +41,23 @@ Document rich() {
                               "che \"\\ \n",
                               surface});
   document.camera = {{1e-17, -1e6, 0.1 + 0.2}, 5, 12.5, -1.57};
-  document.display = {false, false, false, true, true, true, true, false, true, false, true, false, {{0.1, -2, 1e-9}}};
+  document.display = {.surface = false,
+                      .patch_colours = false,
+                      .knot_lines = false,
+                      .wireframe = true,
+                      .local_patches = true,
+                      .frames = true,
+                      .normals = true,
+                      .handles = false,
+                      .polygon = true,
+                      .construction = false,
+                      .comb = true,
+                      .osculating = true,
+                      .hodograph = true,
+                      .continuity = true,
+                      .shading = Shading::mean,
+                      .adaptive = false,
+                      .rings = {{0.1, -2, 1e-9}}};
   document.animation = {true, 6.2831853, 0.1, MotionKind::report, 1.5, 0.25, 1.0};
   return document;
 }

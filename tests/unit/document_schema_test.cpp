@@ -48,6 +48,11 @@ class SchemaComparison {
     later_.insert(std::string(name));
   }
 
+  template <class E>
+  void later_choice(std::string_view name, E value) {
+    choice(name, value);
+    later_.insert(std::string(name));
+  }
   void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
     points(name, list, count);
     later_.insert(std::string(name));

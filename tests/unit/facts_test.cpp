@@ -28,9 +28,11 @@
 #include "knotwork/curve/curve_measures.h"
 #include "knotwork/scene/blending_curve_figure.h"
 #include "knotwork/scene/chapters.h"
+#include "knotwork/scene/commands.h"
 #include "knotwork/scene/curve_figure.h"
 #include "knotwork/scene/document_json.h"
 #include "knotwork/scene/fit_edits.h"
+#include "knotwork/scene/model_figure.h"
 #include "knotwork/scene/subdivision_figure.h"
 #include "knotwork/scene/surface_builder.h"
 
@@ -244,6 +246,38 @@ double normal_without_slope() {
   return most;
 }
 
+// --- Chapter 9: quality --------------------------------------------------------------------------------------------
+
+/// Curvature and speed at the inner end of the piece before t, and at t.
+std::array<double, 2> curvatures_at(const std::string& scene, double t) {
+  const BSplineCurve curve = spline_of(in_scene<BSplineCurveObject>(scene));
+  std::array<double, 2> found{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::array<Eigen::Vector3d, 3> c;
+    curve.evaluate(side == 0 ? just_before(t) : t, c);
+    found[side] = curvature(c);
+  }
+  return found;
+}
+std::array<double, 2> speeds_at(const std::string& scene, double t) {
+  const BSplineCurve curve = spline_of(in_scene<BSplineCurveObject>(scene));
+  std::array<double, 2> found{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::array<Eigen::Vector3d, 2> c;
+    curve.evaluate(side == 0 ? just_before(t) : t, c);
+    found[side] = speed(c);
+  }
+  return found;
+}
+
+/// K of the torus of the figure, where its second parameter is v.
+double torus_curvature(double v) {
+  Document document = find_chapter("model-surface")->start_document();
+  REQUIRE(apply(document, SetParameter{"model", std::string("torus")}));
+  const ModelFigure torus(std::get<ModelSurfaceObject>(stage_shape(document)).model);
+  return curvature(torus.evaluate(0.3, v)).gaussian;
+}
+
 // --------------------------------------------------------------------------------------------------------------------
 
 std::map<std::string, double> facts() {
@@ -284,6 +318,14 @@ std::map<std::string, double> facts() {
       {"subdivision-3-level-3", distance_from_limit(3, 3)},
       {"subdivision-5-ratio-0", ratio_of_levels(5, 0)},
       {"subdivision-5-ratio-4", ratio_of_levels(5, 4)},
+
+      {"comb-before", curvatures_at("bending-comb", 2)[0]},
+      {"comb-behind", curvatures_at("bending-comb", 2)[1]},
+      {"speed-before", speeds_at("two-speeds", 1)[0]},
+      {"speed-behind", speeds_at("two-speeds", 1)[1]},
+      {"speed-even", speeds_at("one-speed", 0.8)[1]},
+      {"torus-outer", torus_curvature(0)},
+      {"torus-inner", torus_curvature(pi)},
 
       {"corner-top", corner(pulled_circle(linear), 2)},
       {"corner-side", corner(pulled_circle(linear), 1)},

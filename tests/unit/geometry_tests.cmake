@@ -16,6 +16,7 @@ set(KNOTWORK_GEOMETRY_TESTS
   unit/catalogue_measure_test.cpp
   unit/closest_point_test.cpp
   unit/closest_surface_point_test.cpp
+  unit/continuity_test.cpp
   unit/curve_catalogue_test.cpp
   unit/curve_measures_test.cpp
   unit/interval_minimum_test.cpp

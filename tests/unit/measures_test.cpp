@@ -163,3 +163,26 @@ TEST_CASE("length and the distance from the limit") {
   object.step = 8;
   CHECK(first / measured(polygon, "subdivision.error") == doctest::Approx(4).epsilon(0.2));
 }
+
+TEST_CASE("inflections are counted once each, along jumps of the curvature too") {
+  Document arch = start_of("bspline-curve");
+  auto& curve = *std::get_if<BSplineCurveObject>(&stage_shape(arch));
+  curve.knots = {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4};
+  curve.points = {{-3, 0, 0}, {-2.6, 2, 0}, {-1.3, 3, 0}, {0, 3.2, 0}, {1.3, 3, 0}, {2.6, 2, 0}, {3, 0, 0}};
+  CHECK(measured(arch, "curve.inflections") == 0);
+  curve.points[3] = {0, 1.6, 0};
+  CHECK(measured(arch, "curve.inflections") == 2);
+  // An S of straight legs.
+  curve.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+  curve.points = {{0, 0, 0}, {1, 2, 0}, {3, -2, 0}, {4, 0, 0}};
+  CHECK(measured(arch, "curve.inflections") == 1);
+}
+
+TEST_CASE("the hodograph's gap is that of the speeds at a triple knot, and nothing at a simple one") {
+  Document document = start_of("bspline-curve");
+  CHECK(measured(document, "hodograph.gap") < 1e-9);
+  auto& curve = *std::get_if<BSplineCurveObject>(&stage_shape(document));
+  curve.knots = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
+  curve.points = {{-3, -2.6, 0}, {-2, -1, 0}, {-1, 0, 0}, {0, 0, 0}, {1.5, 0, 0}, {3, -2.25, 0}, {3.4, -4, 0}};
+  CHECK(measured(document, "hodograph.gap") == doctest::Approx(1.5));
+}

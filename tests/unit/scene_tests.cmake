@@ -9,6 +9,7 @@ set(KNOTWORK_SCENE_TESTS
   unit/catalogue_parameters_test.cpp
   unit/chapters_test.cpp
   unit/commands_test.cpp
+  unit/curvature_field_test.cpp
   unit/curve_edits_test.cpp
   unit/curve_figure_test.cpp
   unit/curve_sampling_test.cpp
@@ -32,6 +33,7 @@ set(KNOTWORK_SCENE_TESTS
   unit/subdivision_edits_test.cpp
   unit/subdivision_figure_test.cpp
   unit/surface_builder_test.cpp
+  unit/surface_joints_test.cpp
   fuzz/document_mutation_test.cpp
 )
 

@@ -4,6 +4,7 @@ centroid in vec3 v_hue;
 in vec3 v_place;
 in vec2 v_grid;
 in vec2 v_knot;
+in float v_curvature;
 out vec4 colour;
 
 uniform vec3 u_eye;
@@ -22,6 +23,11 @@ uniform vec4 u_held_cells;   // knot range (u0, u1, v0, v1) of the held patch's 
 uniform vec2 u_knot_period;  // number of intervals in a closed direction, 0 in an open one
 uniform float u_held;        // how strongly the support is lit
 uniform float u_back_shade;  // how much the back differs from the front
+uniform int u_shading;       // 0 a lit body, 1 a mirror under lamps, 2 lines of equal slope, 3 colours of a curvature
+uniform float u_curvature_scale;  // where the scale of colours ends
+uniform vec3 u_least_hue;    // OKLab of its ends and its middle
+uniform vec3 u_zero_hue;
+uniform vec3 u_greatest_hue;
 
 // Coverage of lines at whole numbers of x, `width` CSS pixels wide, antialiased; fades where they would crowd.
 float line_coverage(float x, float width) {
@@ -30,6 +36,17 @@ float line_coverage(float x, float width) {
   float half_width = 0.5 * width * u_pixel_ratio;
   float cover = 1.0 - smoothstep(half_width - 0.6, half_width + 0.6, distance_in_pixels);
   return cover * (1.0 - smoothstep(0.12, 0.4, change * u_pixel_ratio));
+}
+
+// How much of a lamp is mirrored, 0 to 1: parallel to the x-axis there are 14 lamps round the surface, as wide as the
+// gaps between them. Antialiased; grey where they would crowd.
+float lamp(vec3 normal, vec3 to_eye) {
+  const float lamps = 14.0;
+  vec3 mirrored = reflect(-to_eye, normal);
+  vec2 around = mirrored.yz / max(length(mirrored.yz), 1e-4);
+  float change = lamps * (length(dFdx(around)) + length(dFdy(around)));
+  float cover = clamp(0.5 + cos(lamps * atan(around.x, around.y)) / max(change, 1e-4), 0.0, 1.0);
+  return mix(cover, 0.5, smoothstep(0.8, 2.4, change));
 }
 
 float inside_support(float x, float start, float end, float period) {
@@ -48,6 +65,12 @@ void main() {
   if (dot(normal, to_eye) < 0.0) normal = normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
   vec3 hue = mix(u_plain_hue, v_hue, u_patch_colours);
+  if (u_shading == 1) {
+    hue = mix(vec3(0.30, 0.2 * hue.yz), vec3(0.97, 0.35 * hue.yz), lamp(normal, to_eye));
+  } else if (u_shading == 3) {
+    float share = clamp(v_curvature / u_curvature_scale, -1.0, 1.0);
+    hue = mix(u_zero_hue, share > 0.0 ? u_greatest_hue : u_least_hue, abs(share));
+  }
   hue = vec3(hue.x + u_lift, hue.yz * (1.0 + u_lift));
   hue = mix(hue, vec3(hue.x * 0.93, hue.yz * 0.72), back * u_back_shade);
   vec3 albedo = linear_from_oklab(hue);
@@ -78,6 +101,11 @@ void main() {
   vec3 c = srgb_from_linear(lit);
   float wire = max(line_coverage(v_grid.x, 0.8), line_coverage(v_grid.y, 0.8)) * u_wireframe;
   float knots = max(line_coverage(v_knot.x, 1.25), line_coverage(v_knot.y, 1.25)) * u_knot_lines;
-  c = mix(c, u_line_colour, max(wire, knots));
+  float lines = 0.0;
+  if (u_shading == 2) lines = 0.75 * line_coverage(acos(clamp(normalize(v_normal).z, -1.0, 1.0)) * 18.0 / 3.14159265, 1.8);
+  // Quarters of the scale; on what is curved alike everywhere there are none.
+  float quarters = 4.0 * v_curvature / u_curvature_scale;
+  if (u_shading == 3) lines = 0.3 * line_coverage(quarters, 1.0) * smoothstep(2e-4, 1e-3, fwidth(quarters));
+  c = mix(c, u_line_colour, max(max(wire, knots), lines));
   colour = vec4(c + dither(gl_FragCoord.xy), 1.0);
 }

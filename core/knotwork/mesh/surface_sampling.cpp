@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "knotwork/curve/parametric_curve.h"
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork {
@@ -31,6 +32,21 @@ void add_samples(std::vector<double>& t, std::vector<int>& starts, const KnotVec
   if (!knots.closed() || seam == Seam::repeated) t.push_back(knots.end());
 }
 
+void part(std::vector<double>& samples, std::vector<int>& starts, bool closed) {
+  std::vector<double> parted;
+  parted.reserve(samples.size() + starts.size());
+  const std::size_t last = starts.size() - 1;
+  for (std::size_t k = 0; k < last; ++k) {
+    const auto first = static_cast<std::size_t>(starts[k]), end = static_cast<std::size_t>(starts[k + 1]);
+    starts[k] = static_cast<int>(parted.size());
+    for (std::size_t i = first; i < end; ++i) parted.push_back(samples[i]);
+    if (k + 1 < last) parted.push_back(just_before(samples[end]));
+  }
+  starts[last] = static_cast<int>(parted.size());
+  parted.push_back(closed ? just_before(samples.back()) : samples.back());
+  samples = std::move(parted);
+}
+
 void append(std::vector<float>& out, const Eigen::Vector3d& x) {
   for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(x[k]));
 }
@@ -50,6 +66,13 @@ GridSteps even_steps(const KnotVector& knots_u, const KnotVector& knots_v, int s
 
 SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam) {
   return sample_grid(knots_u, knots_v, even_steps(knots_u, knots_v, samples_u, samples_v), seam);
+}
+
+SampleGrid parted_at_knots(SampleGrid grid, const KnotVector& knots_u, const KnotVector& knots_v) {
+  part(grid.u, grid.starts_u, knots_u.closed());
+  part(grid.v, grid.starts_v, knots_v.closed());
+  grid.parted = true;
+  return grid;
 }
 
 std::vector<Interval> knot_intervals(const KnotVector& knots) {

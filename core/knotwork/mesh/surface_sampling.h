@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "knotwork/basis/interval.h"
+#include "knotwork/later.h"
 #include "knotwork/mesh/mesh_data.h"
 #include "knotwork/surface/blending_surface.h"
 
@@ -21,6 +22,8 @@ struct SampleGrid {
   std::vector<double> u, v;
   /// Which sample each knot interval begins with; one more: how many steps there are. Empty intervals do not count.
   std::vector<int> starts_u, starts_v;
+  /// Where two intervals meet, each has a sample of its own: parted_at_knots() has made it.
+  bool parted = false;
 
   int columns() const { return static_cast<int>(u.size()); }
   int rows() const { return static_cast<int>(v.size()); }
@@ -46,6 +49,12 @@ SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, con
 /// three round a closed direction.
 GridSteps even_steps(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v);
 SampleGrid sample_grid(const KnotVector& knots_u, const KnotVector& knots_v, int samples_u, int samples_v, Seam seam);
+
+/// The grid with two samples at each inner knot, the first of them just before it (just_before(), curve/
+/// parametric_curve.h), and the last sample of a closed direction just before the end: what jumps there, as normals do at
+/// a crease, has its values from both sides. Cells between the two samples have no width.
+/// Precondition: the grid is of these knots and not parted, its seams repeated.
+KNOTWORK_LAST SampleGrid parted_at_knots(SampleGrid grid, const KnotVector& knots_u, const KnotVector& knots_v);
 
 /// Where a grid direction goes on at its end: nowhere, or at its start, there with index k of the other direction
 /// reflected to mirror - k (modulo that direction's size) where mirror >= 0.

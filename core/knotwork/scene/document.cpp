@@ -130,6 +130,13 @@ ChoiceIds ids_of(MotionKind) {
   return {2, [](int i) { return i == 0 ? std::string_view("breathe") : std::string_view("report"); }};
 }
 
+ChoiceIds ids_of(Shading) {
+  return {5, [](int i) {
+            constexpr std::array<std::string_view, 5> ids{"lit", "zebra", "isophotes", "gaussian", "mean"};
+            return ids[static_cast<std::size_t>(i)];
+          }};
+}
+
 ChoiceIds ids_of(DataParameters) {
   return {static_cast<int>(data_parameter_ids.size()),
           [](int i) { return data_parameter_ids[static_cast<std::size_t>(i)]; }};

@@ -21,12 +21,25 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// How a surface is coloured.
+enum class Shading : unsigned char {
+  lit,        ///< as a body in the light
+  zebra,      ///< as a mirror under parallel lamps
+  isophotes,  ///< with lines along which the normal has one angle to the vertical
+  gaussian,   ///< by its Gaussian curvature
+  mean        ///< by its mean curvature
+};
+
 /// What is shown on the stage.
 struct Display {
   bool surface = true, patch_colours = true, knot_lines = true, wireframe = false;
   bool local_patches = false, frames = false, normals = false, handles = true;
   bool polygon = true, construction = true;  ///< of a curve: its control polygon, its construction at the parameter
   bool comb = false;                         ///< of a curve: its curvature as hairs
+  bool osculating = false;                   ///< of a curve: the circle that fits best at its parameter
+  bool hodograph = false;                    ///< of a curve: its derivative as a curve of its own
+  bool continuity = false;                   ///< of a curve: how smoothly pieces meet, in words
+  Shading shading = Shading::lit;            ///< of a surface
   bool adaptive = true;                      ///< a surface's grid is fitted to the screen, else it has its own samples
   std::vector<Eigen::Vector3d> rings;        ///< places marked by a ring, for exercises; model units
 

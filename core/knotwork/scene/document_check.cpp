@@ -26,6 +26,10 @@ class Checker {
   void constant(std::string_view, int) {}
   void toggle(std::string_view, bool) {}
   void later_toggle(std::string_view, bool) {}
+  template <class E>
+  void later_choice(std::string_view name, E value) {
+    choice(name, value);
+  }
   void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
     points(name, list, count);
   }

@@ -184,6 +184,10 @@ class Reader {
   void later_toggle(std::string_view name, bool& value) {
     if (ok() && node_->contains(name)) toggle(name, value);
   }
+  template <class E>
+  void later_choice(std::string_view name, E& value) {
+    if (ok() && node_->contains(name)) choice(name, value);
+  }
   void later_points(std::string_view name, std::vector<Eigen::Vector3d>& points, const Limits& count) {
     if (ok() && node_->contains(name)) this->points(name, points, count);
   }
@@ -374,6 +378,10 @@ class Writer {
   void integer(std::string_view name, int value, const Limits&) { leaf(name, Json(value)); }
   void toggle(std::string_view name, bool value) { leaf(name, Json(value)); }
   void later_toggle(std::string_view name, bool value) { toggle(name, value); }
+  template <class E>
+  void later_choice(std::string_view name, E value) {
+    choice(name, value);
+  }
   void later_points(std::string_view name, const std::vector<Eigen::Vector3d>& list, const Limits& count) {
     if (!list.empty()) points(name, list, count);
   }

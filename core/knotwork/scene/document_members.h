@@ -20,7 +20,7 @@
 ///   group(name, f)                    an object whose members f visits
 ///   list(name, vector, limits)        limits of the count
 ///   patches(name, map, limits)
-///   later_toggle, later_points        of a member that older documents do not have
+///   later_toggle, later_choice, later_points   of a member that older documents do not have
 ///   points(name, vector of Vector3d, limits of the count)   numbers(name, vector of double, limits of the count)
 ///   net(name, Net, limits of the count of rows and of the points in each)
 namespace knotwork::scene {
@@ -39,6 +39,7 @@ ChoiceIds ids_of(ModelKind);
 ChoiceIds ids_of(BlendingKind);
 ChoiceIds ids_of(LocalSurfaceKind);
 ChoiceIds ids_of(MotionKind);
+ChoiceIds ids_of(Shading);
 ChoiceIds ids_of(DataParameters);
 ChoiceIds ids_of(KnotPlacement);
 ChoiceIds ids_of(FitEnds);
@@ -257,6 +258,10 @@ void members(Io& io, Is<Display> auto& display) {
   io.toggle("polygon", display.polygon);
   io.toggle("construction", display.construction);
   io.later_toggle("comb", display.comb);
+  io.later_toggle("osculating", display.osculating);
+  io.later_toggle("hodograph", display.hodograph);
+  io.later_toggle("continuity", display.continuity);
+  io.later_choice("shading", display.shading);
   io.later_toggle("adaptive", display.adaptive);
   io.later_points("rings", display.rings, limits::rings);
 }

@@ -1,11 +1,14 @@
 #include "knotwork/scene/measures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <vector>
 
+#include "knotwork/curve/continuity.h"
 #include "knotwork/curve/parametric_curve.h"
 #include "knotwork/scene/blending_curve_edits.h"
 #include "knotwork/scene/blending_curve_figure.h"
@@ -15,6 +18,7 @@
 #include "knotwork/scene/subdivision_figure.h"
 #include "knotwork/scene/surface_builder.h"
 #include "knotwork/surface/knotted_surface.h"
+#include "knotwork/surface/surface_joints.h"
 
 namespace knotwork::scene {
 
@@ -275,6 +279,11 @@ Measure seam_gap(const Document& document) {
   });
 }
 
+Measure of_joints(const Document& document, double SurfaceJoints::*member, double unit = 1) {
+  return of_surface(
+      document, [&](const KnottedSurface& surface) -> Measure { return unit * surface_joints(surface, 4).*member; });
+}
+
 /// Of a polygon in the curve, and of one twice as fine: their errors are as 4 to 1.
 Measure curve_length(const Document& document) {
   return of_curve(document, [](const CurveView& view) -> Measure {
@@ -289,6 +298,39 @@ Measure curve_length(const Document& document) {
       return length;
     };
     return (4 * polygon(2 * curve_places) - polygon(curve_places)) / 3;
+  });
+}
+
+/// By the sign of the z-coordinate of c' x c'', on a few hundred places of each piece.
+Measure curve_inflections(const Document& document) {
+  return of_curve(document, [](const CurveView& view) -> Measure {
+    const std::vector<double> ends = piece_ends(view.start, view.end, view.breaks);
+    constexpr int places = 400;
+    constexpr double least_turn = 1e-9;  // sine between c' and c'': what is less is straight
+    int count = 0;
+    double last = 0, first = 0;
+    for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
+      for (int k = 0; k <= places; ++k) {
+        const double t = std::lerp(ends[piece], just_before(ends[piece + 1]), static_cast<double>(k) / places);
+        std::array<Eigen::Vector3d, 3> c;
+        view.evaluate(t, c);
+        const double turn = c[1].x() * c[2].y() - c[1].y() * c[2].x();
+        if (std::abs(turn) <= least_turn * c[1].norm() * c[2].norm()) continue;
+        if (turn * last < 0) ++count;
+        last = turn;
+        if (first == 0) first = turn;
+      }
+    }
+    if (view.closed() && last * first < 0) ++count;
+    return count;
+  });
+}
+
+Measure hodograph_gap(const Document& document) {
+  return of_curve(document, [](const CurveView& view) -> Measure {
+    double widest = 0;
+    for (const Continuity& joint : joints(view)) widest = std::max(widest, joint.velocity_gap);
+    return widest;
   });
 }
 
@@ -320,7 +362,11 @@ std::optional<double> measure(const Document& document, const Document& start, s
   if (name == "model.distance") return model_distance(document);
   if (name == "cells.count") return cells_count(document);
   if (name == "seam.gap") return seam_gap(document);
+  if (name == "joints.kink") return of_joints(document, &SurfaceJoints::kink, 180 / std::numbers::pi);
+  if (name == "joints.bend") return of_joints(document, &SurfaceJoints::bend);
   if (name == "curve.length") return curve_length(document);
+  if (name == "curve.inflections") return curve_inflections(document);
+  if (name == "hodograph.gap") return hodograph_gap(document);
   if (name == "subdivision.error") return subdivision_error(document);
   return std::nullopt;
 }

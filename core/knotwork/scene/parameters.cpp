@@ -771,8 +771,18 @@ std::vector<Parameter> make_table() {
           toggle<&Display::construction>("display.construction", "construction", "Show")),
       about<Bezier, BSpline, Fitted, Subdivision, Model, Blending>(
           toggle<&Display::comb>("display.comb", "curvature comb", "Show")),
+      about<Bezier, BSpline>(toggle<&Display::osculating>("display.osculating", "osculating circle", "Show")),
+      about<Bezier, BSpline, Fitted, Model, Blending>(
+          toggle<&Display::hodograph>("display.hodograph", "hodograph", "Show")),
+      about<BSpline, Fitted, Blending>(toggle<&Display::continuity>("display.continuity", "continuity", "Show")),
       about<Surface, Bezier, BSpline, Fitted, Subdivision, Model, Blending, NetSurface>(
           toggle<&Display::handles>("display.handles", "handles", "Show")),
+      about<Surface, NetSurface, Alone>(choice<&Display::shading>("display.shading", "shading", "Shading",
+                                                                  {{"lit", "lit"},
+                                                                   {"zebra", "zebra stripes"},
+                                                                   {"isophotes", "isophotes"},
+                                                                   {"gaussian", "Gaussian curvature"},
+                                                                   {"mean", "mean curvature"}})),
       // Behind what is shown: the panel has groups with switches in the order of the table.
       about<Surface, NetSurface, Alone>(toggle<&Display::adaptive>("samples.adaptive", "fit to screen", "Sampling")),
       about<Surface, Blending, Subdivision>(

@@ -1,4 +1,4 @@
-#include "web/curvature_comb.h"
+#include "web/curve_tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,16 @@
 #include "knotwork/scene/chapters.h"
 #include "knotwork/scene/commands.h"
 
-namespace knotwork::web::curvature_comb_test {
+namespace knotwork::web::curve_tools_test {
 namespace {
 
 scene::Document started(std::string_view chapter) { return scene::find_chapter(chapter)->start_document(); }
 
-std::vector<CombHair> comb_of(const scene::Document& document) {
-  return curvature_comb(make_figure(scene::stage_shape(document), document.animation));
+CurveTools tools_of(scene::Document document) {
+  document.display.comb = true;
+  return curve_tools(make_figure(scene::stage_shape(document), document.animation), document.display);
 }
+std::vector<CombHair> comb_of(const scene::Document& document) { return tools_of(document).comb; }
 
 TEST_CASE("the comb of a circle stands outwards, everywhere as long as 0.035 size^2 / radius") {
   scene::Document document = started("model-curve");
@@ -49,15 +51,10 @@ TEST_CASE("where pieces meet there are two hairs in one place; at a double knot 
   CHECK(jumps() == 1);
 }
 
-TEST_CASE("surfaces have no comb; a comb and rings need room in the picture") {
+TEST_CASE("surfaces have no comb; a comb needs room in the picture") {
   CHECK(comb_of(started("blending-surface")).empty());
-  scene::Document document = started("bezier-curve");
-  document.display.rings = {{1, 2, 3}};
-  const std::vector<CombHair> comb = comb_of(document);
-  std::vector<glm::dvec3> points;
-  add_extent(points, document.display, comb);
-  CHECK(points.size() == comb.size() + 1);
-  CHECK(points[0] == glm::dvec3(1, 2, 3));
+  const CurveTools tools = tools_of(started("bezier-curve"));
+  CHECK(tools.tips.size() == tools.comb.size());
 }
 
 TEST_CASE("hairs and the line along their tips are drawn, the line not from piece to piece") {
@@ -72,4 +69,4 @@ TEST_CASE("hairs and the line along their tips are drawn, the line not from piec
 }
 
 }  // namespace
-}  // namespace knotwork::web::curvature_comb_test
+}  // namespace knotwork::web::curve_tools_test

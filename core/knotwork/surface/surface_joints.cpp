@@ -1,0 +1,69 @@
+#include "knotwork/surface/surface_joints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "knotwork/curve/parametric_curve.h"
+#include "knotwork/mesh/surface_sampling.h"
+#include "knotwork/surface/surface_measures.h"
+
+namespace knotwork {
+namespace {
+
+using Sides = std::array<double, 2>;
+
+/// The parameters before and behind each line where pieces meet.
+std::vector<Sides> joints_along(const KnotVector& knots, bool seam) {
+  std::vector<Sides> found;
+  const std::vector<Interval> intervals = knot_intervals(knots);
+  for (std::size_t k = 1; k < intervals.size(); ++k)
+    found.push_back({just_before(intervals[k].start), intervals[k].start});
+  if (seam && knots.closed()) found.push_back({just_before(knots.end()), knots.start()});
+  return found;
+}
+
+std::vector<double> places_between(const KnotVector& knots, int places) {
+  std::vector<double> t;
+  for (const Interval& interval : knot_intervals(knots))
+    for (int k = 0; k < places; ++k) t.push_back(std::lerp(interval.start, interval.end, (k + 0.5) / places));
+  return t;
+}
+
+/// e / E, or with v g / G: how the surface bends along one parameter line.
+double bend_along(const SurfaceJet& jet, bool u) {
+  const FundamentalForms forms = fundamental_forms(jet);
+  const double metric = u ? forms.E : forms.G;
+  return metric > 0 ? (u ? forms.e : forms.g) / metric : 0;
+}
+
+void look(SurfaceJoints& joints, const SurfaceJet& before, const SurfaceJet& behind, bool u) {
+  joints.gap = std::max(joints.gap, (before.s - behind.s).norm());
+  if (!curvature(before).regular || !curvature(behind).regular) return;  // a pole has no tangent plane
+  const Eigen::Vector3d a = unit_normal(before), b = unit_normal(behind);
+  joints.kink = std::max(joints.kink, std::atan2(a.cross(b).norm(), std::abs(a.dot(b))));
+  joints.bend = std::max(joints.bend, std::abs(bend_along(before, u) - bend_along(behind, u)));
+}
+
+}  // namespace
+
+SurfaceJoints surface_joints(const KnottedSurface& surface, int places, JointSeams seams) {
+  SurfaceJoints joints;
+  const std::vector<double> along_u = places_between(*surface.knots_u, places);
+  const std::vector<double> along_v = places_between(*surface.knots_v, places);
+  std::vector<SurfaceJet> jets(2 * std::max(along_u.size(), along_v.size()));
+  for (const Sides& sides : joints_along(*surface.knots_u, seams.u)) {
+    surface.evaluate_grid(sides, along_v, std::span(jets).first(2 * along_v.size()));
+    for (std::size_t k = 0; k < along_v.size(); ++k) look(joints, jets[k], jets[along_v.size() + k], true);
+  }
+  for (const Sides& sides : joints_along(*surface.knots_v, seams.v)) {
+    surface.evaluate_grid(along_u, sides, std::span(jets).first(2 * along_u.size()));
+    for (std::size_t k = 0; k < along_u.size(); ++k) look(joints, jets[2 * k], jets[2 * k + 1], false);
+  }
+  return joints;
+}
+
+}  // namespace knotwork

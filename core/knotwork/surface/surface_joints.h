@@ -1,0 +1,26 @@
+#pragma once
+
+#include "knotwork/later.h"
+#include "knotwork/surface/knotted_surface.h"
+
+namespace knotwork {
+
+/// What is left of smoothness where the pieces of a surface meet: the largest differences between both sides, over all
+/// inner knot lines and the seams of closed directions.
+struct SurfaceJoints {
+  double gap = 0;   ///< between points, model units
+  double kink = 0;  ///< between tangent planes, radians in [0, pi/2]
+  double bend = 0;  ///< between normal curvatures across the line, 1 / model units
+};
+
+/// Which seams count. A twisted one meets itself reflected, so that points of the same parameters are not neighbours.
+struct JointSeams {
+  bool u = true, v = true;
+};
+
+/// From `places` places in each knot interval of the other direction, evenly spread and none on a knot. Sides are told
+/// apart as in continuity_at(): by the last parameter before the knot. Rounding leaves of a smooth surface about 1e-13
+/// of its size in `gap`, 1e-8 in `kink`, and of curvatures as much as their own rounding.
+KNOTWORK_LAST SurfaceJoints surface_joints(const KnottedSurface& surface, int places, JointSeams seams = {});
+
+}  // namespace knotwork
