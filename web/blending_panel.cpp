@@ -129,7 +129,9 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
     y += 20;
   };
   pair(Face::bold, theme.ink, "u " + text_of("%.3f", point.u), "v " + text_of("%.3f", point.v));
-  pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", point.gaussian), "H " + text_of("%.3f", point.mean));
+  const SurfaceCurvature& curved = point.curved;
+  pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
+  pair(Face::regular, theme.ink_soft, "k₁ " + text_of("%.3f", curved.k_max), "k₂ " + text_of("%.3f", curved.k_min));
   y += 2;
 
   // The bar is the partition of unity: its parts are the weights.

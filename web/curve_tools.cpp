@@ -22,7 +22,7 @@ constexpr float circle_ink = 1.3F, hodograph_ink = 2.2F, velocity_ink = 1.7F;  /
 constexpr int circle_steps = 96;
 constexpr double largest_circle = 2;  // of the curve's size
 constexpr int places_of_piece = 48;
-constexpr double hodograph_share = 0.7;   // of the curve's size, that the hodograph may have
+constexpr double hodograph_share = 0.8;   // of the curve's size, that the hodograph may have
 constexpr double hodograph_margin = 0.1;  // of the curve's size, between both
 constexpr std::size_t most_joint_labels = 24;
 constexpr double joint_label_distance = 17, scale_label_distance = 26;  // CSS pixels

@@ -21,6 +21,7 @@ float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const S
   };
   pair(Face::bold, theme.ink, "u " + text_of("%.3f", place.x), "v " + text_of("%.3f", place.y));
   pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
+  pair(Face::regular, theme.ink_soft, "k₁ " + text_of("%.3f", curved.k_max), "k₂ " + text_of("%.3f", curved.k_min));
   return y + 2;
 }
 

@@ -21,7 +21,7 @@ struct Tool {
 };
 using Tools = Few<Tool, 4>;
 
-/// Where a place of a surface is and how it is curved there, two lines; the next line's middle.
+/// Where a place of a surface is and how it is curved there, three lines; the next line's middle.
 float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const SurfaceCurvature& curved);
 
 // What the panel shows of the figure on the stage. Each kind of figure has functions of these names with the figure as

@@ -629,7 +629,7 @@ void labels(Frame& frame) {
 /// What is selected and pointed at.
 void readout(Frame& frame) {
   const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch && !frame.state.drawer_open ? 56 : 22;
-  begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 140},
+  begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 168},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
   draw_readout(frame, left, top + 8);
   ImGui::End();

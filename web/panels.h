@@ -7,6 +7,7 @@
 
 #include "knotwork/scene/commands.h"
 #include "knotwork/surface/surface_joints.h"
+#include "knotwork/surface/surface_measures.h"
 #include "web/figure.h"
 #include "web/theme.h"
 
@@ -33,9 +34,10 @@ struct KnotDrag {
   float start = 0;          ///< of the pointer, CSS pixels
 };
 
-/// The probe under the pointer: point, curvatures and the weights of the four local patches at work.
+/// The probe under the pointer: parameters, curvatures and the weights of the four local patches at work.
 struct Probe {
-  double u, v, gaussian, mean;
+  double u, v;
+  SurfaceCurvature curved;
   std::array<BlendingSurface::Weight, 4> weights;
   double blend_w_u;  ///< w in [0,1] in the u interval: the dot on the plot of B
 };

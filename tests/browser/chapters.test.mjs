@@ -6,7 +6,7 @@ import {
   call, documentOf, drag, handlesOf, nextUndo, parameter, plus, scrollTo, settled, shownFigure, until,
 } from './stage.mjs';
 
-const whole = { followed: true, full: true };
+const whole = { followed: true, full: true, scale: 0.5 };
 
 /// What an element's data say about the figure's start.
 const figures = (page) =>

@@ -2,8 +2,8 @@
 set(KNOTWORK_WEB_TESTS
   unit/camera_test.cpp
   unit/composition_test.cpp
-  unit/curve_tools_test.cpp
   unit/curve_path_test.cpp
+  unit/curve_tools_test.cpp
   unit/drawing_test.cpp
   unit/freehand_test.cpp
   unit/gizmo_test.cpp
