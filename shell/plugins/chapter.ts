@@ -192,6 +192,9 @@ const figureData = ({ id, start, values }: FigureSource): string =>
 const tool = (name: string, words: string): string =>
   `<button type="button" class="tool-word" data-${name} disabled>${words}</button>`;
 
+/// Last the one that is not always there: no gap is left between the others.
+const figureTools = `${tool('show', 'Show')}${tool('copy', 'Copy link')}${tool('again', 'Start again')}`;
+
 /// Control rows are written empty into the page at their final height, so that nothing moves when they are filled.
 function block(
   name: string,
@@ -213,7 +216,7 @@ function block(
       const source = figure(words, figures);
       return [
         `<figure class="figure" ${figureData(source)}><figcaption><div id="caption-${source.id}">`,
-        `</div><p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}</p></figcaption></figure>`,
+        `</div><p class="figure-tools">${figureTools}</p></figcaption></figure>`,
       ];
     }
     case 'code': {
@@ -234,8 +237,7 @@ function block(
           `<h3 id="exercise-${source.id}">Exercise <span>${part('number')}</span></h3>` +
           `<div id="caption-${source.id}">`,
         `</div><details class="hint"><summary>Hint</summary><p>${part('hint')}</p></details>` +
-          `<p class="figure-tools">${tool('show', 'Show')}${tool('again', 'Start again')}` +
-          `<span class="exercise-state"></span></p>` +
+          `<p class="figure-tools">${figureTools}<span class="exercise-state"></span></p>` +
           `<p class="exercise-done" hidden>${part('done')}</p></section>`,
       ];
     }

@@ -10,6 +10,8 @@ const storageKey = 'knotwork.solved';
 export class Exercises {
   private readonly rows: { figure: Figure; goal: Comparison[]; state: HTMLElement; done: HTMLElement }[] = [];
   private readonly solved: Set<string>;
+  /// What addresses have made of figures (Scenes.giftOf), where the reader has gone on from there.
+  private readonly left = new WeakSet<object>();
   private held = false;
   private readonly scenes: Scenes;
   private readonly bridge: Bridge;
@@ -52,7 +54,8 @@ export class Exercises {
     this.show();
   }
 
-  update(parameters: ReadonlyMap<string, Parameter>): void {
+  /// `goesBack`: something has been taken back.
+  update(parameters: ReadonlyMap<string, Parameter>, goesBack: boolean): void {
     const row = this.rows.find(({ figure }) => figure === this.scenes.shown);
     if (!row || this.solved.has(row.figure.id)) return;
     // A hand that seeks a place (< and >) has found it when it passes there. A slider passes all numbers: what is to be
@@ -60,11 +63,22 @@ export class Exercises {
     if (this.held && !row.goal.some(({ sign }) => /[<>]/.test(sign))) return;
     const look = (name: string): Parameter['value'] | undefined =>
       parameters.get(name)?.value ?? this.bridge.measure(name) ?? undefined;
-    if (!reached(row.goal, look)) return;
+    const there = reached(row.goal, look);
+    if (this.borrowed(row.figure, there, goesBack) || !there) return;
     this.solved.add(row.figure.id);
     write([...this.solved]);
     this.show();
     this.announce(`${say('Solved.')} ${row.done.textContent}`);
+  }
+
+  /// Whether the figure stands as an address has put it and not as the reader has: until he has seen the goal missed in a
+  /// state of his own, and then come to it by a step of his own. Steps taken back lead to the address's state again.
+  private borrowed(figure: Figure, there: boolean, goesBack: boolean): boolean {
+    const gift = this.scenes.giftOf(figure);
+    if (!gift) return false;
+    if (!there && !goesBack) this.left.add(gift);
+    if (there && goesBack) this.left.delete(gift);
+    return !this.left.has(gift);
   }
 
   /// How many of a chapter's exercises are solved.

@@ -7,6 +7,7 @@ import './style/controls.css';
 import { ScriptInterface } from './api';
 import { Bridge } from './bridge';
 import { raise, showProgress, showTrouble, type Trouble } from './curtain';
+import { cameBack, scrollToFigure } from './figure_links';
 import { listen } from './input';
 import type { LaterParts } from './later_part';
 import { loadModule, loadStageFonts, LoadError } from './loading';
@@ -40,6 +41,7 @@ void parsed.then(() => {
   const contents = document.getElementById('contents') as HTMLDetailsElement;
   followSections([...document.querySelectorAll<HTMLElement>('.marks')], contents);
   makeContents(contents);
+  if (!cameBack()) scrollToFigure(location.hash);
 });
 void begin();
 
@@ -89,7 +91,7 @@ function makePage(bridge: Bridge, parts: LaterParts): void {
     .fetch()
     .then(() => {
       bridge.complete();
-      page?.scenes.follow();
+      page?.follow();
       whenReached(document.getElementById('bsplines')!, () => void parts.last.fetch().catch(console.warn));
     }, console.warn)
     .finally(() => api.settle());

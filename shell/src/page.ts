@@ -3,12 +3,14 @@ import type { Bridge } from './bridge';
 import { element, makeControl, type Control, type Setter } from './controls';
 import { describe } from './description';
 import { Exercises } from './exercises';
+import { FigureLinks } from './figure_links';
 import { FigureTools } from './figures';
 import { HistoryControls } from './history';
 import type { Parameter } from './knotwork';
 import { PatchList } from './patches';
 import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
+import { Said } from './said';
 import { readFigures, Scenes, type Figure } from './scenes';
 import { say, sayRow } from './words';
 
@@ -21,6 +23,7 @@ export class Page {
   private settings: Control[] = [];
   private settingsFor = '';
   private readonly phrases: { button: HTMLButtonElement; action: Action; figure: Figure | null }[] = [];
+  private readonly links: FigureLinks;
   private readonly figureTools: FigureTools;
   private readonly exercises: Exercises;
   private readonly tables: ReportTable[] = [];
@@ -46,7 +49,9 @@ export class Page {
     const figures = readFigures(document);
     const failed = (error: unknown): void => this.refuse(error);
     this.scenes = new Scenes(bridge, figures, () => this.update(), failed);
-    this.figureTools = new FigureTools(figures, this.scenes, canvas, failed);
+    const said = new Said((words) => this.announce(words));
+    this.links = new FigureLinks(figures, this.scenes, said);
+    this.figureTools = new FigureTools(figures, this.scenes, this.links, canvas, failed);
     this.exercises = new Exercises(
       figures, this.scenes, bridge, (words) => this.praise(words), () => this.update(),
     );
@@ -86,6 +91,12 @@ export class Page {
     this.update();
   }
 
+  /// From now on the stage goes with the reader and with the page's address.
+  follow(): void {
+    this.scenes.follow();
+    this.links.follow();
+  }
+
   /// After a frame or a command: shows what has changed. While frames follow each other, ten times a second at most.
   sync(now: number): void {
     if (this.bridge.revision() === this.revision) return;
@@ -122,7 +133,7 @@ export class Page {
     if (this.description.textContent !== description) this.description.textContent = description;
     if (state.notice !== this.lastNotice && performance.now() > this.praisedUntil) this.announce(say(state.notice));
     this.lastNotice = state.notice;
-    this.exercises.update(rows);  // what it says is said last
+    this.exercises.update(rows, state.canRedo);  // what it says is said last
   }
 
   private rows(): Map<string, Parameter> {

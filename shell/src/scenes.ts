@@ -1,5 +1,7 @@
+import { changedValues, readState, sameFigure, showTheSame, type FigureState } from './addresses';
 import type { Bridge } from './bridge';
 import { parseValue, type Value } from './goals';
+import type { DocumentJson, Parameter } from './knotwork';
 import { readingLine } from './sections';
 
 /// A figure of the prose or an exercise: a place in the page, and what the stage shows there at first.
@@ -21,8 +23,12 @@ export function readFigures(root: ParentNode): Figure[] {
 
 const documents = import.meta.glob<string>('../scenes/*.json', { query: '?raw', import: 'default' });
 
+const stillness = '(prefers-reduced-motion: reduce)';
+
 /// The scene of what is no figure of the page.
 const ownScene = 'own';
+/// The scene where something is tried out, out of the reader's sight.
+const trialScene = 'trial';
 
 /// One stage serves all figures: it shows the one that is being read, as the reader has left it. What a script or the
 /// reader puts there has a scene of its own and stays, until a figure is asked for or read anew.
@@ -32,6 +38,7 @@ export class Scenes {
   private read: Figure | null = null;
   private pinned = false;
   private readonly begun = new Set<Figure>();
+  private readonly gifts = new Map<Figure, object>();
   private readonly chapters: readonly { article: Element; figures: readonly Figure[] }[];
   private readonly figures: readonly Figure[];
   private readonly bridge: Bridge;
@@ -129,6 +136,71 @@ export class Scenes {
     this.changed();
   }
 
+  /// How the figure, as the reader has left it, differs from its start; null where it does not.
+  async difference(figure: Figure): Promise<FigureState | null> {
+    if (!this.begun.has(figure)) return null;
+    const start = await this.documentOf(figure);
+    const look = (): [document: DocumentJson, rows: Parameter[]] => [this.bridge.document(), this.bridge.parameters()];
+    const [document, rows] = this.aside(figure.id, look);
+    return this.aside(trialScene, () => {
+      this.load(figure, start);
+      const values = changedValues(this.bridge.parameters(), rows);
+      try {
+        this.setAll(values);
+      } catch {
+        return { document: JSON.stringify(document) };  // in this order the values cannot be had
+      }
+      if (!showTheSame(this.bridge.document(), document)) return { document: JSON.stringify(document) };
+      return values.length > 0 ? { values } : null;
+    });
+  }
+
+  /// Shows the figure with the state that an address asks for, as the reader's own: undone by one step. Throws what is
+  /// wrong with that state; then the figure is on the stage as it was.
+  async give(figure: Figure, query: string): Promise<void> {
+    await this.show(figure);
+    const [start, state] = await Promise.all([this.documentOf(figure), readState(query)]);
+    if (figure !== this.current || !state) return;
+    // Tried first: of a state that is refused half way, nothing is to be seen.
+    const document = this.aside(trialScene, () => {
+      this.load(figure, start);
+      const before = this.bridge.document();
+      if ('document' in state) this.bridge.load(state.document);
+      this.setAll('values' in state ? state.values : []);
+      if (matchMedia(stillness).matches && this.plays()) this.bridge.play(false);
+      if (!sameFigure(before, this.bridge.document())) throw new Error('Its document is that of another figure.');
+      return JSON.stringify(this.bridge.document());
+    });
+    this.gifts.set(figure, {});
+    this.bridge.gesture(true);
+    try {
+      this.bridge.load(document);
+      this.bridge.begin(true);
+    } finally {
+      this.bridge.gesture(false);
+    }
+    this.changed();
+  }
+
+  /// The last thing that an address has made of the figure; nothing to look into. Null where none has.
+  giftOf(figure: Figure): object | null {
+    return this.gifts.get(figure) ?? null;
+  }
+
+  /// Looks at another scene, or does something there, while the stage goes on to show the present one.
+  private aside<T>(scene: string, look: () => T): T {
+    const present = this.current?.id ?? ownScene;
+    if (scene === present) return look();
+    const { selected } = this.bridge.state();
+    this.bridge.enter(scene);
+    try {
+      return look();
+    } finally {
+      this.bridge.enter(present);
+      if (selected) this.bridge.select(selected);
+    }
+  }
+
   /// What the stage starts with is the first figure, which a quick reader may have taken in hand already.
   private adopt(figure: Figure): void {
     this.current = figure;
@@ -169,11 +241,16 @@ export class Scenes {
   }
 
   private set(figure: Figure): void {
-    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    for (const [id, value] of figure.values) {
-      if (id === 'animation.playing' && still) continue;
-      this.bridge.set(id, value);
-    }
+    const still = matchMedia(stillness).matches;
+    this.setAll(figure.values.filter(([id]) => id !== 'animation.playing' || !still));
+  }
+
+  private plays(): boolean {
+    return this.bridge.parameters().some(({ id, value }) => id === 'animation.playing' && value === true);
+  }
+
+  private setAll(values: readonly [id: string, value: Value][]): void {
+    for (const [id, value] of values) this.bridge.set(id, value);
   }
 
   private async documentOf(figure: Figure): Promise<string | null> {

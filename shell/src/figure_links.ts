@@ -1,0 +1,72 @@
+import { figureHash, readFigureHash } from './addresses';
+import type { Said } from './said';
+import type { Figure, Scenes } from './scenes';
+import { say } from './words';
+
+/// Addresses of figures: made for the reader, and followed when the page is opened with one, when it comes while the page
+/// is open, and back and forth.
+export class FigureLinks {
+  private readonly figures: readonly Figure[];
+  private readonly scenes: Scenes;
+  private readonly said: Said;
+  /// What the last address asked of a figure. Who comes back to that address finds the figure as he has left it.
+  private readonly followed = new Map<Figure, string>();
+
+  constructor(figures: readonly Figure[], scenes: Scenes, said: Said) {
+    this.figures = figures;
+    this.scenes = scenes;
+    this.said = said;
+  }
+
+  async copy(figure: Figure): Promise<void> {
+    const hash = await figureHash(figure.id, await this.scenes.difference(figure));
+    await this.said.copy(location.href.replace(/#.*/s, '') + hash);
+  }
+
+  /// From now on the stage goes with the address.
+  follow(): void {
+    void this.go(cameBack());
+    addEventListener('hashchange', () => {
+      const back = cameBack();
+      if (!back) scrollToFigure(location.hash);
+      void this.go(back);
+    });
+    markVisited();
+  }
+
+  private async go(back: boolean): Promise<void> {
+    markVisited();
+    const asked = readFigureHash(location.hash);
+    if (!asked) return;
+    const { id, query } = asked;
+    const figure = this.figures.find((other) => other.id === id);
+    try {
+      if (!figure) throw new Error(say('There is no figure "{}" on this page.', id));
+      const known = this.followed.get(figure);
+      if (query === '' || (back && query === known)) {
+        await (back && query === '' && known ? this.scenes.again(figure) : this.scenes.show(figure));
+      } else {
+        await this.scenes.give(figure, query);
+      }
+      this.followed.set(figure, query);
+    } catch (error) {
+      const reason = say(error instanceof Error ? error.message : String(error));
+      this.said.say(say('This address does not show what it was made for. {}', reason), 12_000);
+    }
+  }
+}
+
+/// A figure's address with a state is no name that the browser finds in the page.
+export function scrollToFigure(hash: string): void {
+  const asked = readFigureHash(hash);
+  if (asked?.query) document.getElementById(`figure-${asked.id}`)?.scrollIntoView({ behavior: 'instant' });
+}
+
+/// Whether the reader has been at this address before, so that the browser restores where he was in the page.
+export function cameBack(): boolean {
+  return (history.state as { visited?: true } | null)?.visited === true;
+}
+
+function markVisited(): void {
+  history.replaceState({ visited: true }, '');
+}
