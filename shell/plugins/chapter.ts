@@ -106,7 +106,16 @@ function markdown(
     }
     return self.renderToken(tokens, index, options);
   };
+  md.renderer.rules['heading_close'] = (tokens, index, options, _env, self) => {
+    const id = tokens[index - 2]!.attrGet('id');
+    return `${id ? placeLink(String(id)) : ''}${self.renderToken(tokens, index, options)}`;
+  };
   return md;
+}
+
+/// The sign beside a heading that leads to it; a script copies its address (src/place_links.ts).
+export function placeLink(id: string): string {
+  return `<a class="place" href="#${id}" aria-label="Link to this place"></a>`;
 }
 
 /// Marked, as its letters are in faces of their own.

@@ -1,7 +1,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
-import { checkNames, renderChapter, type Chapter } from './chapter';
+import { checkNames, placeLink, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
 import { Language } from './language';
 import { Mathematics } from './mathematics';
@@ -148,7 +148,7 @@ function article(chapters: readonly PageChapter[], index: number): string {
       : '';
   return (
     `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}"${chapter.foreign ? ' lang="en"' : ''}>\n` +
-    `<h1>${chapter.title}</h1>\n${chapter.html}${turn}</article>`
+    `<h1>${chapter.title}${placeLink(chapter.id)}</h1>\n${chapter.html}${turn}</article>`
   );
 }
 

@@ -1,4 +1,5 @@
 import { figureHash, readFigureHash } from './addresses';
+import { RefusedError } from './bridge';
 import type { Said } from './said';
 import type { Figure, Scenes } from './scenes';
 import { say } from './words';
@@ -50,7 +51,8 @@ export class FigureLinks {
       }
       this.followed.set(figure, query);
     } catch (error) {
-      const reason = say(error instanceof Error ? error.message : String(error));
+      const at = error instanceof RefusedError && error.path ? `${error.path}: ` : '';
+      const reason = at + say(error instanceof Error ? error.message : String(error));
       this.said.say(say('This address does not show what it was made for. {}', reason), 12_000);
     }
   }

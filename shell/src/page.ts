@@ -8,6 +8,7 @@ import { FigureTools } from './figures';
 import { HistoryControls } from './history';
 import type { Parameter } from './knotwork';
 import { PatchList } from './patches';
+import { listenToPlaces } from './place_links';
 import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
 import { Said } from './said';
@@ -35,7 +36,7 @@ export class Page {
   private readonly bridge: Bridge;
   private revision = -1;
   private lastNotice = '';
-  private praisedUntil = 0;
+  private insistsUntil = 0;
   private lastUpdate = 0;
   private late = 0;
 
@@ -49,11 +50,12 @@ export class Page {
     const figures = readFigures(document);
     const failed = (error: unknown): void => this.refuse(error);
     this.scenes = new Scenes(bridge, figures, () => this.update(), failed);
-    const said = new Said((words) => this.announce(words));
+    const said = new Said((words) => this.insist(words));
+    listenToPlaces(document.getElementById('prose')!, said);
     this.links = new FigureLinks(figures, this.scenes, said);
     this.figureTools = new FigureTools(figures, this.scenes, this.links, canvas, failed);
     this.exercises = new Exercises(
-      figures, this.scenes, bridge, (words) => this.praise(words), () => this.update(),
+      figures, this.scenes, bridge, (words) => this.insist(words), () => this.update(),
     );
     this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
@@ -131,7 +133,7 @@ export class Page {
     this.history.update(state);
     const description = describe(rows, state.selectedName);
     if (this.description.textContent !== description) this.description.textContent = description;
-    if (state.notice !== this.lastNotice && performance.now() > this.praisedUntil) this.announce(say(state.notice));
+    if (state.notice !== this.lastNotice && performance.now() > this.insistsUntil) this.announce(say(state.notice));
     this.lastNotice = state.notice;
     this.exercises.update(rows, state.canRedo);  // what it says is said last
   }
@@ -174,9 +176,10 @@ export class Page {
     });
   }
 
-  /// An exercise is often solved in the middle of a drag. That the hand has let go is not said over it.
-  private praise(text: string): void {
-    this.praisedUntil = performance.now() + 4000;
+  /// What the stage has to say meanwhile is not said over it: an exercise is often solved in the middle of a drag, and the
+  /// hand lets go; and of an address the stage knows but the value that it refuses.
+  private insist(text: string): void {
+    this.insistsUntil = performance.now() + 4000;
     this.announce(text);
   }
 

@@ -23,6 +23,12 @@ export function readFigures(root: ParentNode): Figure[] {
 
 const documents = import.meta.glob<string>('../scenes/*.json', { query: '?raw', import: 'default' });
 
+/// What stands on the stage, as far as an address can carry it.
+interface Shown {
+  document: DocumentJson;
+  rows: Parameter[];
+}
+
 const stillness = '(prefers-reduced-motion: reduce)';
 
 /// The scene of what is no figure of the page.
@@ -38,6 +44,7 @@ export class Scenes {
   private read: Figure | null = null;
   private pinned = false;
   private readonly begun = new Set<Figure>();
+  private readonly starts = new Map<Figure, Shown>();
   private readonly gifts = new Map<Figure, object>();
   private readonly chapters: readonly { article: Element; figures: readonly Figure[] }[];
   private readonly figures: readonly Figure[];
@@ -140,18 +147,21 @@ export class Scenes {
   async difference(figure: Figure): Promise<FigureState | null> {
     if (!this.begun.has(figure)) return null;
     const start = await this.documentOf(figure);
-    const look = (): [document: DocumentJson, rows: Parameter[]] => [this.bridge.document(), this.bridge.parameters()];
-    const [document, rows] = this.aside(figure.id, look);
+    const now = this.aside(figure.id, () => this.look());
+    const whole = { document: JSON.stringify(now.document) };
+    // Only what has to be tried out is: who comes back from another scene has the view fitted anew.
+    const began = this.starts.get(figure);
+    if (began && changedValues(began.rows, now.rows).length === 0)
+      return showTheSame(began.document, now.document) ? null : whole;
     return this.aside(trialScene, () => {
       this.load(figure, start);
-      const values = changedValues(this.bridge.parameters(), rows);
+      const values = changedValues(this.bridge.parameters(), now.rows);
       try {
         this.setAll(values);
       } catch {
-        return { document: JSON.stringify(document) };  // in this order the values cannot be had
+        return whole;  // in this order the values cannot be had
       }
-      if (!showTheSame(this.bridge.document(), document)) return { document: JSON.stringify(document) };
-      return values.length > 0 ? { values } : null;
+      return showTheSame(this.bridge.document(), now.document) ? { values } : whole;
     });
   }
 
@@ -187,6 +197,16 @@ export class Scenes {
     return this.gifts.get(figure) ?? null;
   }
 
+  private look(): Shown {
+    return { document: this.bridge.document(), rows: this.bridge.parameters() };
+  }
+
+  /// What is on the stage is the figure's start.
+  private begin(figure: Figure): void {
+    this.bridge.begin();
+    this.starts.set(figure, this.look());
+  }
+
   /// Looks at another scene, or does something there, while the stage goes on to show the present one.
   private aside<T>(scene: string, look: () => T): T {
     const present = this.current?.id ?? ownScene;
@@ -208,7 +228,7 @@ export class Scenes {
     this.bridge.enter(figure.id);
     if (!this.bridge.state().canUndo) {
       this.set(figure);
-      this.bridge.begin();
+      this.begin(figure);
     }
     this.changed();
   }
@@ -227,7 +247,7 @@ export class Scenes {
         if (before) this.bridge.enter(before.id);
         throw error;
       }
-      this.bridge.begin();
+      this.begin(figure);
       this.begun.add(figure);
     }
     this.current = figure;
