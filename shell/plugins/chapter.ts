@@ -4,6 +4,7 @@ import createMarkdown, { type MarkdownIt } from 'markdown-it';
 import { parseAction } from '../src/actions';
 import { parseGoal } from '../src/goals';
 import type { Mathematics } from './mathematics';
+import { markSymbols } from './symbols';
 
 /// A chapter file is Markdown with a head of `key: value` lines between two `---`, and with these additions:
 ///
@@ -118,9 +119,9 @@ export function placeLink(id: string): string {
   return `<a class="place" href="#${id}" aria-label="Link to this place"></a>`;
 }
 
-/// Marked, as its letters are in faces of their own.
+/// Marked, as its letters are in faces of their own; and so are the symbols of what can be held.
 function typeset(mathematics: Mathematics, tex: string, display: boolean): string {
-  return `<!--tex-->${mathematics.render(tex, display)}<!--/tex-->`;
+  return `<!--tex-->${mathematics.render(markSymbols(tex), display)}<!--/tex-->`;
 }
 
 function addMathematics(md: MarkdownIt, mathematics: Mathematics): void {

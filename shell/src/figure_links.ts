@@ -4,6 +4,9 @@ import type { Said } from './said';
 import type { Figure, Scenes } from './scenes';
 import { say } from './words';
 
+/// How long it is said that an address asks for too much.
+const refusalMs = 12_000;
+
 /// Addresses of figures: made for the reader, and followed when the page is opened with one, when it comes while the page
 /// is open, and back and forth.
 export class FigureLinks {
@@ -41,8 +44,11 @@ export class FigureLinks {
     if (!asked) return;
     const { id, query } = asked;
     const figure = this.figures.find((other) => other.id === id);
+    if (!figure) {
+      this.said.say(say('There is no figure "{}" on this page.', id), refusalMs);
+      return;
+    }
     try {
-      if (!figure) throw new Error(say('There is no figure "{}" on this page.', id));
       const known = this.followed.get(figure);
       if (query === '' || (back && query === known)) {
         await (back && query === '' && known ? this.scenes.again(figure) : this.scenes.show(figure));
@@ -53,7 +59,7 @@ export class FigureLinks {
     } catch (error) {
       const at = error instanceof RefusedError && error.path ? `${error.path}: ` : '';
       const reason = at + say(error instanceof Error ? error.message : String(error));
-      this.said.say(say('This address does not show what it was made for. {}', reason), 12_000);
+      this.said.say(say('What this address asks for cannot be shown. {}', reason), refusalMs);
     }
   }
 }

@@ -13,6 +13,7 @@ import { givePoints, PointsField, pointsText } from './points';
 import { ReportTable } from './report';
 import { Said } from './said';
 import { readFigures, Scenes, type Figure } from './scenes';
+import { listenToHolds } from './terms';
 import { say, sayRow } from './words';
 
 /// Everything beside the stage that shows the module's state or changes it.
@@ -52,6 +53,7 @@ export class Page {
     this.scenes = new Scenes(bridge, figures, () => this.update(), failed);
     const said = new Said((words) => this.insist(words));
     listenToPlaces(document.getElementById('prose')!, said);
+    listenToHolds(canvas, bridge, () => this.scenes.shown?.element.closest<HTMLElement>('[data-chapter]') ?? null);
     this.links = new FigureLinks(figures, this.scenes, said);
     this.figureTools = new FigureTools(figures, this.scenes, this.links, canvas, failed);
     this.exercises = new Exercises(

@@ -153,7 +153,7 @@ export class Scenes {
     const began = this.starts.get(figure);
     if (began && changedValues(began.rows, now.rows).length === 0)
       return showTheSame(began.document, now.document) ? null : whole;
-    return this.aside(trialScene, () => {
+    return this.trial(() => {
       this.load(figure, start);
       const values = changedValues(this.bridge.parameters(), now.rows);
       try {
@@ -172,7 +172,7 @@ export class Scenes {
     const [start, state] = await Promise.all([this.documentOf(figure), readState(query)]);
     if (figure !== this.current || !state) return;
     // Tried first: of a state that is refused half way, nothing is to be seen.
-    const document = this.aside(trialScene, () => {
+    const document = this.trial(() => {
       this.load(figure, start);
       const before = this.bridge.document();
       if ('document' in state) this.bridge.load(state.document);
@@ -205,6 +205,17 @@ export class Scenes {
   private begin(figure: Figure): void {
     this.bridge.begin();
     this.starts.set(figure, this.look());
+  }
+
+  /// Does something out of the reader's sight; what the module has to say about it is not said.
+  private trial<T>(act: () => T): T {
+    return this.aside(trialScene, () => {
+      try {
+        return act();
+      } finally {
+        this.bridge.begin();
+      }
+    });
   }
 
   /// Looks at another scene, or does something there, while the stage goes on to show the present one.

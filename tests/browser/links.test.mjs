@@ -286,7 +286,7 @@ const packedText = (text) => deflateRawSync(Buffer.from(text)).toString('base64u
 
 /// Addresses that ask for what cannot be, and what is said about each.
 const badStates = [
-  ['curve.parameter=7', / curve\.parameter: Must be a number from 0 to 1\.$/],
+  ['curve.parameter=7', /^What this address asks for cannot be shown\. curve\.parameter: Must be a number from 0 to 1\.$/],
   ['curve.parameter=0.7&curve.parameter=open', /./],
   ['curve.parameter=0.7&no.such=1', /no parameter of this name/],
   ['curve.parameter=NaN', /./],
@@ -304,7 +304,6 @@ pageTest('a state that cannot be is refused with its reason, and the figure is t
   const said = page.locator('.said');
   const say = async (words) => {
     await until(page, () => document.querySelector('.said:not([hidden]) p'));
-    assert.match(await said.textContent(), /^This address does not show what it was made for\. ./);
     assert.match(await said.textContent(), words);
     assert.equal(await page.locator('#notice').textContent(), await said.textContent());
   };
@@ -322,7 +321,7 @@ pageTest('a state that cannot be is refused with its reason, and the figure is t
     assert.deepEqual(await objectsOf(page), start, query);
   }
   await page.goto(`${address}#figure-of-nothing?a=1`);
-  await say(/no figure "of-nothing"/);
+  await say(/^There is no figure "of-nothing" on this page\.$/);
 });
 
 pageTest('a clipboard that refuses leaves the address to be copied by hand', { ...whole, before: noClipboard }, async (page) => {
@@ -394,4 +393,56 @@ pageTest('who wants no motion gets none from an address', { ...copying, reducedM
   await arrive(page, `${page.url().split('#')[0]}#figure-ten-locals?locals.count=8&animation.playing=true`);
   await shows(page, 'ten-locals');
   assert.equal((await parameter(page, 'animation.playing')).value, false);
+});
+
+// --- Signs beside headings -------------------------------------------------------------------------------------------
+
+for (const [name, size] of [['desktop', [1440, 900]], ['narrow', [1040, 800]], ['phone', [390, 844]]]) {
+  const touch = name === 'phone';
+  pageTest(`every heading has a sign that leads to it, and it takes no room: ${name}`, { ...whole, size, touch }, async (page) => {
+    const headings = page.locator('.prose :is(h1, h2)');
+    const faults = await headings.evaluateAll((all) =>
+      all.flatMap((heading) => {
+        const sign = heading.querySelector('a.place');
+        if (!sign) return [`none beside ${heading.textContent}`];
+        const { left, right, width, height } = sign.getBoundingClientRect();
+        const target = document.getElementById(sign.hash.slice(1));
+        const wrong = target !== heading && target !== heading.parentElement;
+        const away = left < 0 || right > heading.getBoundingClientRect().left || width < 16 || height < 24;
+        return [wrong && `${sign.hash} beside ${heading.textContent}`, away && `${left} to ${right}: ${heading.textContent}`];
+      }).filter(Boolean));
+    assert.deepEqual(faults, []);
+    assert.ok((await headings.count()) > 50);
+    await scrollTo(page, '#the-weights');
+    const sign = page.locator('#the-weights .place');
+    const seen = async () => {
+      await settled(page);
+      return Number(await sign.evaluate((element) => getComputedStyle(element).opacity));
+    };
+    if (touch) return assert.ok((await seen()) > 0.4);
+    assert.equal(await seen(), 0);
+    await page.locator('#the-weights').hover();
+    assert.equal(await seen(), 1);
+    await page.mouse.move(1, 1);
+    assert.equal(await seen(), 0);
+    await sign.evaluate((element) => element.focus({ focusVisible: true }));
+    assert.equal(await seen(), 1);
+  });
+}
+
+pageTest('the sign beside a heading copies the address, and says so', copying, async (page) => {
+  await arrive(page, page.url());
+  await scrollTo(page, '#the-weights');
+  await page.locator('#the-weights').hover();
+  await clickOn(page, '#the-weights .place');
+  await until(page, () => window.copied);
+  assert.match(await page.evaluate(() => window.copied), /^http.*\/#the-weights$/);
+  assert.equal(await page.evaluate(() => window.copied), page.url());
+  assert.equal(await page.locator('.said').textContent(), 'The link has been copied.');
+  assert.equal(await page.locator('#notice').textContent(), 'The link has been copied.');
+  assert.ok((await placeOf(page, 'the-weights')) < 200);
+  await page.evaluate(() => (window.copied = ''));
+  await page.locator('#the-weights .place').focus();
+  await page.keyboard.press('Enter');
+  await until(page, () => window.copied);
 });
