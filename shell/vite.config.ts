@@ -13,8 +13,10 @@ function sourceUrl(): string {
   return given ?? (host && repository ? `${host}/${repository}` : '');
 }
 
+/// Social cards need addresses with a host; where none is given they stay relative.
+const siteAddress = process.env['KNOTWORK_SITE_ADDRESS'] ?? '';
 const language = process.env['KNOTWORK_LANGUAGE'] ?? 'en';
-const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl(), language };
+const options = { root, moduleDirectory, policy, sourceUrl: sourceUrl(), siteAddress, language };
 
 export default defineConfig({
   root,

@@ -1,6 +1,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
+import { card } from './card';
 import { checkNames, placeLink, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
 import { Language } from './language';
@@ -12,6 +13,7 @@ export interface PageOptions {
   moduleDirectory: string;  ///< where knotwork.js, knotwork.wasm, later.wasm, last.wasm and knotwork_stills.js are
   policy: string;           ///< content security policy of the built page
   sourceUrl: string;        ///< where the source can be read; '' for no link
+  siteAddress: string;      ///< where the page will stand, as https://host/path/; '' where that is not known
   language: string;         ///< of the page: see language.ts
 }
 
@@ -91,6 +93,7 @@ export function page(options: PageOptions): Plugin {
           .replace('<!--contents-->', () => contents(chapters))
           .replace('<!--chapters-->', () => chapters.map((_, index) => article(chapters, index)).join('\n'))
           .replace('<!--source-->', () => sourceLink(options.sourceUrl))
+          .replace('<!--card-->', () => card(options.siteAddress))
           .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? '');
         return language
           .html(whole)
