@@ -54,6 +54,19 @@ pageTest('nothing that the page says stays English in another language', { addre
   await page.waitForFunction(() => document.getElementById('points-fault').textContent !== '');
   await call(page, 'set', 'curve.degree', 2);
   assert.deepEqual(await undisguised(page), []);
+  // And of addresses: one that cannot be copied, or followed.
+  await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+  await page.locator('[data-copy]').first().click();
+  await page.locator('.said label').waitFor();
+  assert.deepEqual(await undisguised(page), []);
+  for (const hash of ['#figure-of-nothing?a=1', '#figure-hold-it?document=x']) {
+    await page.evaluate((to) => {
+      document.querySelector('.said').hidden = true;
+      location.hash = to;
+    }, hash);
+    await page.locator('.said p').waitFor();
+    assert.deepEqual(await undisguised(page), []);
+  }
 });
 
 for (const [name, size] of [['desktop', [1440, 900]], ['tablet', [1024, 768]], ['phone', [390, 844]]]) {
