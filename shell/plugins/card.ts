@@ -1,5 +1,6 @@
-/// What other sites show beside a link to the page: its picture and its address. Most take no relative ones, so `site` says
-/// where the page will stand (https://host/path/); where it is '' nobody knows, and the picture's address stays relative.
+/// What other sites show beside a link to the page: its picture and its address. Most take no relative ones, so `site`
+/// says where the page will stand (https://host/path/); where it is '' nobody knows, and the picture's address stays
+/// relative.
 export function card(site: string): string {
   const meta = (name: string, content: string): string => `<meta property="og:${name}" content="${content}">`;
   if (site === '') return meta('image', './social-card.png');

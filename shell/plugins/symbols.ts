@@ -1,6 +1,6 @@
-/// What a hand can hold on the stage and a formula names: `point`, a control point; `datum`, a point that a curve is made
-/// from; `knot`; `parameter`; `local`, a local curve or patch and its map. While it is held, its letters light up
-/// (src/terms.ts). The letters are those of the glossary; a letter of another name has no subscript.
+/// What a hand can hold on the stage and a formula names: `point`, a control point; `datum`, a point that a curve is
+/// made from; `knot`; `parameter`; `local`, a local curve or patch and its map. While it is held, its letters light up
+/// (src/terms.ts). The letters are those of the glossary; without their subscript they denote something else.
 export type HeldKind = 'point' | 'datum' | 'knot' | 'parameter' | 'local';
 
 /// With a subscript, these letters denote what can be held.
@@ -18,8 +18,8 @@ const indexed: Readonly<Record<string, HeldKind>> = {
 /// Without one, these do.
 const bare: Readonly<Record<string, HeldKind>> = { t: 'parameter', '\\tau': 'knot' };
 
-/// Ends of lines with a distance, names of environments and classes, and words; a sign over a letter with its letter, as `\bar w`; a symbol, perhaps under
-/// a hat; any other command.
+/// Ends of lines with a distance, names of environments and classes, and words; a sign over a letter with its letter,
+/// as `\bar w`; a symbol, perhaps under a hat; any other command.
 const token = new RegExp(
   [
     String.raw`\\\\(?:\[[^\]]*\])?`,
@@ -31,8 +31,8 @@ const token = new RegExp(
   'g',
 );
 
-/// TeX with `{\htmlClass{of-<kind>}{...}}` round each symbol of what can be held, its scripts included. The outer braces
-/// make one thing of it: it can be a script or an argument, and the space behind it stays outside.
+/// TeX with `{\htmlClass{of-<kind>}{...}}` round each symbol of what can be held, its scripts included. The outer
+/// braces make one thing of it: it can be a script or an argument, and the space behind it stays outside.
 export function markSymbols(tex: string): string {
   return tex.replace(token, (whole: string, hat: string | undefined, letter: string | undefined, scripts = '') => {
     if (letter === undefined) return whole;

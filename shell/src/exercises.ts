@@ -71,8 +71,8 @@ export class Exercises {
     this.announce(`${say('Solved.')} ${row.done.textContent}`);
   }
 
-  /// Whether the figure stands as an address has put it and not as the reader has: until he has seen the goal missed in a
-  /// state of his own, and then come to it by a step of his own. Steps taken back lead to the address's state again.
+  /// Whether the figure stands as an address has put it and not as the reader has: until he has seen the goal missed in
+  /// a state of his own, and then come to it by a step of his own. Steps taken back lead to the address's state again.
   private borrowed(figure: Figure, there: boolean, goesBack: boolean): boolean {
     const gift = this.scenes.giftOf(figure);
     if (!gift) return false;

@@ -7,8 +7,8 @@ import { say } from './words';
 /// How long it is said that an address asks for too much.
 const refusalMs = 12_000;
 
-/// Addresses of figures: made for the reader, and followed when the page is opened with one, when it comes while the page
-/// is open, and back and forth.
+/// Addresses of figures: made for the reader, and followed when the page is opened with one, when it comes while the
+/// page is open, and back and forth.
 export class FigureLinks {
   private readonly figures: readonly Figure[];
   private readonly scenes: Scenes;

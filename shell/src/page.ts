@@ -178,8 +178,8 @@ export class Page {
     });
   }
 
-  /// What the stage has to say meanwhile is not said over it: an exercise is often solved in the middle of a drag, and the
-  /// hand lets go; and of an address the stage knows but the value that it refuses.
+  /// What the stage has to say meanwhile is not said over it: an exercise is often solved in the middle of a drag, and
+  /// the hand lets go; and of an address the stage knows but the value that it refuses.
   private insist(text: string): void {
     this.insistsUntil = performance.now() + 4000;
     this.announce(text);

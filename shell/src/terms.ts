@@ -1,12 +1,13 @@
 import type { HeldKind } from '../plugins/symbols';
 import type { Bridge } from './bridge';
 
-/// While a hand moves a handle or a knot, the letters that denote it light up in the formulas of the figure's chapter, whose
-/// element says which ones (data-in-hand; plugins/symbols.ts marks them). Nothing is looked at unless a pointer is down.
+/// While a hand moves a handle or a knot, the letters that denote it light up in the formulas of the figure's chapter,
+/// whose element says which ones (data-in-hand; plugins/symbols.ts marks them). Nothing is looked at unless a pointer
+/// is down.
 
 type Shape = Readonly<Record<string, unknown>>;
 
-/// The members of an object that a hand moves, and what they hold. Those that are made from a list have data in `points`.
+/// The members of an object that a hand moves, and what they hold; what is made from a list has data in `points`.
 const members: Readonly<Record<string, HeldKind>> = {
   points: 'point',
   net: 'point',

@@ -23,7 +23,8 @@ test('a state comes out of an address as it went in', async () => {
 });
 
 test('only the addresses of figures are read', () => {
-  for (const hash of ['', '#', '#fitting', '#figure-', '#figure-a%b', '#figure-<b>?a=1']) assert.equal(readFigureHash(hash), null);
+  for (const hash of ['', '#', '#fitting', '#figure-', '#figure-a%b', '#figure-<b>?a=1'])
+    assert.equal(readFigureHash(hash), null);
   assert.deepEqual(readFigureHash('#figure-a?b=1?2'), { id: 'a', query: 'b=1?2' });
 });
 
@@ -31,15 +32,18 @@ test('a document that cannot be unpacked is refused, and so is one that unpacks 
   const bomb = deflateRawSync(Buffer.alloc(40 * 1024 * 1024, ' ')).toString('base64url');
   for (const text of ['', '!', 'abcd', 'VVJb', bomb])
     await assert.rejects(readState(`document=${text}`), /cannot be read/, text.slice(0, 20));
-  const noise = Array.from({ length: 400_000 }, (_, k) => String.fromCharCode(33 + (((k * 7919) ^ (k >> 3)) % 90))).join('');
+  const code = (k: number): number => 33 + (((k * 7919) ^ (k >> 3)) % 90);
+  const noise = Array.from({ length: 400_000 }, (_, k) => String.fromCharCode(code(k))).join('');
   await assert.rejects(figureHash('x', { document: noise }), /too large/);
 });
 
 test('what differs is said, but not what follows from it, and no clock that runs', () => {
   const start = [row('a', 1), row('b', 'open'), row('c', true), row('d', 5), row('animation.time', 0)];
-  const now = [row('a', 1 + 1e-13), row('b', 'closed'), row('c', true), row('d', 6, 'It follows.'), row('animation.time', 2)];
+  const follows = row('d', 6, 'It follows.');
+  const now = [row('a', 1 + 1e-13), row('b', 'closed'), row('c', true), follows, row('animation.time', 2)];
   assert.deepEqual(changedValues(start, now), [['b', 'closed'], ['animation.time', 2]]);
-  assert.deepEqual(changedValues(start, [...now, row('animation.playing', true)]), [['b', 'closed'], ['animation.playing', true]]);
+  const playing = row('animation.playing', true);
+  assert.deepEqual(changedValues(start, [...now, playing]), [['b', 'closed'], ['animation.playing', true]]);
   assert.deepEqual(changedValues([row('x', 0)], [row('x', 0.1 + 0.2)]), [['x', 0.3]]);
 });
 

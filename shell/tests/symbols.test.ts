@@ -26,14 +26,15 @@ test('letters are marked by what they denote, with their scripts', () => {
 });
 
 test('what is called the same but is something else stays, and so do names', () => {
-  for (const tex of ['c', "c'", 'c^{(k)}', '\\hat c', '\\hat c_k', 'S_u', 'B_v', 'd_u', '\\bar w_{1,i}', 'A^{\\mathsf T}p',
-    '\\begin{pmatrix} 1 \\end{pmatrix}', '\\theta', '\\cdots', '\\text{at most}', '\\tfrac12', 'b_i', '\\sum_k', '\\\\[4pt] 1'])
-    assert.equal(markSymbols(tex), tex);
+  const others = ['c', "c'", 'c^{(k)}', '\\hat c', '\\hat c_k', 'S_u', 'B_v', 'd_u', 'b_i', '\\bar w_{1,i}', '\\theta'];
+  const names = ['A^{\\mathsf T}p', '\\begin{pmatrix} 1 \\end{pmatrix}', '\\text{at most}', '\\sum_k', '\\\\[4pt]'];
+  for (const tex of [...others, ...names]) assert.equal(markSymbols(tex), tex);
 });
 
 test('the chapters have symbols of each kind', () => {
-  const formulas = readdirSync('chapters').filter((name) => name.endsWith('.md')).flatMap((name) =>
-    [...readFileSync(`chapters/${name}`, 'utf8').matchAll(/\$\$[\s\S]*?\$\$|\$[^$]*\$/g)].map(([tex]) => markSymbols(tex)));
+  const files = readdirSync('chapters').filter((name) => name.endsWith('.md'));
+  const sources = files.map((name) => readFileSync(`chapters/${name}`, 'utf8')).join('\n');
+  const formulas = [...sources.matchAll(/\$\$[\s\S]*?\$\$|\$[^$]*\$/g)].map(([tex]) => markSymbols(tex));
   for (const [kind, least] of Object.entries({ point: 30, datum: 20, knot: 30, parameter: 40, local: 30 })) {
     const count = formulas.join('').split(`{of-${kind}}`).length - 1;
     assert.ok(count > least, `${kind}: ${count}`);

@@ -14,7 +14,8 @@ async function bringUp(page, id) {
 /// What the symbols that are lit denote, and in which chapters they are.
 const litNow = (page) =>
   page.evaluate(() => {
-    const marked = [...document.querySelectorAll('.prose [class*="of-"]')].filter(({ className }) => /\bof-\w+/.test(className));
+    const all = [...document.querySelectorAll('.prose [class*="of-"]')];
+    const marked = all.filter(({ className }) => /\bof-\w+/.test(className));
     const lit = marked.filter((symbol) => getComputedStyle(symbol).borderBottomStyle === 'solid');
     return {
       kinds: [...new Set(lit.map((symbol) => /\bof-(\w+)/.exec(symbol.className)[1]))],
@@ -25,8 +26,10 @@ const litNow = (page) =>
 /// Where everything stands that a change of the formulas could move.
 const layout = (page) =>
   page.evaluate(() =>
-    [...document.querySelectorAll('[data-shown]')].concat([...document.querySelectorAll('article p, .katex .base')])
-      .map((element) => element.getBoundingClientRect()).map(({ x, y, width, height }) => [x, y, width, height].join(' ')));
+    [...document.querySelectorAll('article p, .katex .base')].map((element) => {
+      const { x, y, width, height } = element.getBoundingClientRect();
+      return [x, y, width, height].join(' ');
+    }));
 
 const at = {
   handle: (id) => async (page) => (await handleAt(page, id)).screen,
@@ -61,7 +64,8 @@ for (const [figure, place, kind, chapter] of holds) {
     // What is folded away comes to its tint when it is unfolded.
     await until(page, (name) =>
       [...document.querySelectorAll(`[data-in-hand] .of-${name}`)].every(
-        (symbol) => !symbol.checkVisibility() || getComputedStyle(symbol).backgroundColor !== 'rgba(0, 0, 0, 0)'), kind);
+        (symbol) => !symbol.checkVisibility() || getComputedStyle(symbol).backgroundColor !== 'rgba(0, 0, 0, 0)',
+      ), kind);
     assert.deepEqual(await litNow(page), { kinds: [kind], chapters: [chapter] });
     assert.deepEqual(await layout(page), before, 'nothing moves');
     await page.mouse.up();
