@@ -19,7 +19,6 @@
 #include "knotwork/scene/palette.h"
 #include "knotwork/scene/point_text.h"
 #include "web/allocations.h"
-#include "web/composition.h"
 #include "web/figure_picture.h"
 #include "web/model_ornaments.h"
 #include "web/net_ornaments.h"
@@ -43,6 +42,13 @@ constexpr double phone_width = 520;          // CSS pixels; a narrower stage has
 double milliseconds() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<glm::dvec3> places_of(std::span<const Handle> handles) {
+  std::vector<glm::dvec3> places;
+  places.reserve(handles.size());
+  for (const Handle& handle : handles) places.push_back(handle.position);
+  return places;
 }
 
 bool same(const scene::Roll& a, const scene::Roll& b) { return a.u == b.u && a.v == b.v; }
@@ -527,8 +533,7 @@ void App::advance_roll(double now) {
     roll_.active = !reduced_motion_ && !same(roll_.from, rest);
     if (!roll_.active) roll_.shown = rest;
 
-    if (interaction_.drag == InteractionState::Drag::none)
-      make_room_for(outline(make_figure(shape, document_.animation)));
+    if (interaction_.drag == InteractionState::Drag::none) make_room_for(extent_at_rest());
   }
   if (!roll_.active) return;
   const double share = (now - roll_.start) / roll_ms;
@@ -568,10 +573,8 @@ void App::advance(double now) {
 }
 
 /// The largest picture of the points that panel and clock leave room for, reached over `duration` milliseconds.
-void App::compose_for(const std::vector<glm::dvec3>& points, double duration) {
-  std::vector<std::array<double, 4>> obstacles = panel_output_.regions;
-  obstacles.insert(obstacles.end(), panel_output_.readouts.begin(), panel_output_.readouts.end());
-  const Composition composition = compose(document_.camera, points, viewport_, obstacles);
+void App::compose_for(const Extent& extent, double duration) {
+  const Composition composition = compose(document_.camera, {extent.points, extent.handles}, viewport_, obstacles());
   const Viewport& to = composition.viewport;
   camera_transition_ = CameraTransition{.from = document_.camera,
                                         .to = composition.camera,
@@ -590,7 +593,7 @@ void App::compose_for(const std::vector<glm::dvec3>& points, double duration) {
 
 /// Before the surface rolls into another shape. A reader's own view is kept as long as it holds that shape as well as it
 /// holds the present one.
-void App::make_room_for(const std::vector<glm::dvec3>& next) {
+void App::make_room_for(const Extent& next) {
   const View now = view();
   const auto in_view = [&now](const std::vector<glm::dvec3>& points) {
     return std::all_of(points.begin(), points.end(), [&now](const glm::dvec3& point) {
@@ -601,7 +604,7 @@ void App::make_room_for(const std::vector<glm::dvec3>& next) {
   };
   const bool ours = camera_is_ours_;
   const bool shown = geometry_.figure && surface_of(*geometry_.figure);
-  if (!ours && (in_view(next) || !shown || !in_view(outline(*geometry_.figure)))) return;
+  if (!ours && (in_view(next.points) || !shown || !in_view(outline(*geometry_.figure)))) return;
   compose_for(next, roll_ms);
   camera_is_ours_ = ours;
 }
@@ -613,13 +616,24 @@ void App::frame_all() {
 
 /// What the picture of the figure has to have room for. A figure without tools does not call for them: what makes them is
 /// in the last part of the module, and a call would wait for it.
-std::vector<glm::dvec3> App::extent() {
-  std::vector<glm::dvec3> points = outline(*geometry_.figure);
-  for (const Eigen::Vector3d& ring : document_.display.rings) points.push_back(to_glm(ring));
-  if (!wants_tools(document_.display)) return points;
+App::Extent App::extent() {
+  std::vector<glm::dvec3> held;
+  if (document_.display.handles) held = places_of(handles());
+  Extent extent{outline(*geometry_.figure), std::move(held)};
+  for (const Eigen::Vector3d& ring : document_.display.rings) extent.points.push_back(to_glm(ring));
+  if (!wants_tools(document_.display)) return extent;
   const std::vector<glm::dvec3>& tips = tools().tips;
-  points.insert(points.end(), tips.begin(), tips.end());
-  return points;
+  extent.points.insert(extent.points.end(), tips.begin(), tips.end());
+  return extent;
+}
+
+/// Of a surface that rolls, where it comes to rest.
+App::Extent App::extent_at_rest() const {
+  const scene::Shape& shape = scene::stage_shape(document_);
+  const Figure figure = make_figure(shape, document_.animation);
+  std::vector<Handle> at_rest;
+  if (document_.display.handles) take_handles(figure, shape, at_rest);
+  return {outline(figure), places_of(at_rest)};
 }
 
 const CurveTools& App::tools() {
@@ -720,9 +734,7 @@ void App::place_picture() {
   const scene::Camera camera = document_.camera;
   const bool ours = camera_is_ours_;
   // A surface that rolls gets the room that it will need.
-  const std::vector<glm::dvec3> points =
-      roll_.active ? outline(make_figure(scene::stage_shape(document_), document_.animation)) : extent();
-  compose_for(points, framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
+  compose_for(roll_.active ? extent_at_rest() : extent(), framed_once_ && ours && !compose_at_once_ ? camera_ms : 0);
   framed_once_ = true;
   compose_at_once_ = false;
   if (ours) return;
@@ -753,7 +765,7 @@ View App::view() const { return make_view(document_.camera, free_viewport()); }
 std::vector<StageLabel> App::stage_labels() {
   std::vector<StageLabel> labels;
   const View now = view();
-  if (shows_names(*geometry_.figure, document_.display)) labels = labels_of(*geometry_.figure, handles(), now, theme_);
+  if (shows_names(*geometry_.figure, document_.display)) labels = labels_of(*geometry_.figure, handles(), now, theme_, obstacles());
   if (wants_tools(document_.display))
     add_tool_labels(labels, *geometry_.figure, document_.display, tools(), now, theme_);
   return labels;

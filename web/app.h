@@ -11,6 +11,7 @@
 #include "knotwork/scene/history.h"
 #include "knotwork/scene/later.h"
 #include "knotwork/scene/surface_builder.h"
+#include "web/composition.h"
 #include "web/curve_tools.h"
 #include "web/interaction.h"
 #include "web/interface_style.h"
@@ -144,12 +145,17 @@ class App {
   void changed();
   void request_frames(int count);
   void say(std::string notice);
-  void make_room_for(const std::vector<glm::dvec3>& next);
+  /// What a picture has to have room for, in model space.
+  struct Extent {
+    std::vector<glm::dvec3> points, handles;
+  };
+  void make_room_for(const Extent& next);
   void frame_all();
-  std::vector<glm::dvec3> extent();
-  KNOTWORK_LATER const CurveTools& tools();
+  Extent extent();
+  Extent extent_at_rest() const;
+  KNOTWORK_LAST const CurveTools& tools();
   void place_picture();
-  void compose_for(const std::vector<glm::dvec3>& points, double duration);
+  void compose_for(const Extent& extent, double duration);
   void snap();
   View view() const;
   Viewport free_viewport() const;
@@ -159,6 +165,7 @@ class App {
   std::vector<StageLabel> stage_labels();
   const Picture& picture();
   bool over_interface(glm::dvec2 position) const;
+  Obstacles obstacles() const { return {panel_output_.regions, panel_output_.readouts}; }
 
   scene::Document document_, start_;
   scene::History history_;

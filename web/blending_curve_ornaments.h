@@ -13,7 +13,7 @@ Colour local_hue(int k, int count, bool dark);
 void add_to_picture(Picture& picture, const scene::BlendingCurveFigure& figure, const Look& look);
 /// None: the strip names the knots, and hues tell the locals apart.
 inline std::vector<StageLabel> labels_of(const scene::BlendingCurveFigure&, std::span<const Handle>, const View&,
-                                         const Theme&) {
+                                         const Theme&, const Obstacles&) {
   return {};
 }
 

@@ -16,8 +16,9 @@ namespace {
 
 constexpr float band_width = 15, leg_width = 1.3F;
 constexpr std::size_t most_labels = 24;
-constexpr double label_distance = 19;  // CSS pixels from the point
-constexpr int label_sides = 16;        // tried
+constexpr double label_distance = 19;     // CSS pixels from the point
+constexpr int label_sides = 16;           // tried
+constexpr glm::dvec2 label_reach(11, 9);  // CSS pixels from its middle to its edges
 
 /// The points' hues mixed as the points are.
 Colour mixture(const scene::CurveFigure& figure, std::size_t k, const std::vector<glm::vec3>& hues) {
@@ -164,7 +165,7 @@ void add_to_picture(Picture& picture, const scene::CurveFigure& figure, const Lo
 }
 
 std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<const Handle> handles, const View& view,
-                                  const Theme& theme) {
+                                  const Theme& theme, const Obstacles& covered) {
   // What a label should keep clear of: the points, the polygon and the curve, as dots on the screen.
   std::vector<glm::dvec2> points, dots;
   for (const Handle& handle : handles) {
@@ -183,7 +184,7 @@ std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<co
   std::vector<StageLabel> labels;
   for (std::size_t k = 0; k < n; ++k) {
     glm::dvec2 best(0);
-    double most = -1;
+    double most = -1e9;
     for (int side = 0; side < label_sides; ++side) {
       const double angle = 2 * std::numbers::pi * side / label_sides;
       const glm::dvec2 place = points[k] + label_distance * glm::dvec2(std::cos(angle), std::sin(angle));
@@ -191,6 +192,7 @@ std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<co
       for (const glm::dvec2& dot : dots) clear = std::min(clear, glm::length(dot - place));
       for (std::size_t other = 0; other < n; ++other)
         if (other != k) clear = std::min(clear, 0.8 * glm::length(points[other] - place));
+      if (!uncovered(place, label_reach, view.viewport, covered)) clear -= 4 * label_distance;
       if (clear <= most) continue;
       most = clear;
       best = place;

@@ -41,8 +41,8 @@ void add_points(Picture& picture, std::span<const Handle> handles, const Interac
 
 void add_to_picture(Picture& picture, const scene::CurveFigure& figure, const Look& look);
 
-/// "c₀" .. beside the control points, on the side that polygon and curve leave free; none where they would crowd.
+/// "c₀" .. beside the control points, on the side that polygon, curve, panels and the stage's edge leave free; none where they would crowd.
 std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<const Handle> handles, const View& view,
-                                  const Theme& theme);
+                                  const Theme& theme, const Obstacles& covered);
 
 }  // namespace knotwork::web

@@ -46,7 +46,6 @@ void draw_strip(Frame& frame, const Rect& place, const scene::CurveFigure& figur
 /// knots coincide.
 void draw_readout(Frame& frame, float left, float y, const scene::CurveFigure& figure) {
   const Theme& theme = frame.input.theme;
-  frame.output.readouts.push_back({0, 0, left + 132.0, y + 12.0});
   const KnotVector& knots = figure.curve.knots();
   const double t = frame.input.pointed ? frame.input.pointed->x : figure.t;
   text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
@@ -59,6 +58,7 @@ void draw_readout(Frame& frame, float left, float y, const scene::CurveFigure& f
     text(frame.ui, Face::regular, {left, y}, colour(theme.accent),
          "C" + superscript(knots.degree() - multiplicity) + " at t = " + text_of("%.2f", mark.t));
   }
+  frame.output.readouts.push_back({0, 0, left + 132.0, y + 12.0});
 }
 
 }  // namespace knotwork::web

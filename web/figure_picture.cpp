@@ -21,8 +21,8 @@ bool shows_names(const Figure& figure, const scene::Display& display) {
 }
 
 std::vector<StageLabel> labels_of(const Figure& figure, std::span<const Handle> handles, const View& view,
-                                  const Theme& theme) {
-  return scene::visit_first([&](const auto& shown) { return labels_of(shown, handles, view, theme); }, figure);
+                                  const Theme& theme, const Obstacles& covered) {
+  return scene::visit_first([&](const auto& shown) { return labels_of(shown, handles, view, theme, covered); }, figure);
 }
 
 }  // namespace knotwork::web

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "web/composition.h"
 #include "web/interaction.h"
 #include "web/panels.h"
 #include "web/renderer.h"
@@ -23,8 +24,8 @@ struct Look {
 void add_to_picture(Picture& picture, const Figure& figure, const Look& look);
 /// Whether what has names is shown: handles, or a model curve's frame.
 bool shows_names(const Figure& figure, const scene::Display& display);
-/// Names beside them.
+/// Names beside them, where there is a choice on a side where nothing covers them.
 std::vector<StageLabel> labels_of(const Figure& figure, std::span<const Handle> handles, const View& view,
-                                  const Theme& theme);
+                                  const Theme& theme, const Obstacles& covered);
 
 }  // namespace knotwork::web

@@ -11,7 +11,8 @@ namespace knotwork::web {
 /// a whisker to its place on the curve; the line that a hand is drawing.
 void add_to_picture(Picture& picture, const scene::FitFigure& figure, const Look& look);
 /// None: data are many.
-inline std::vector<StageLabel> labels_of(const scene::FitFigure&, std::span<const Handle>, const View&, const Theme&) {
+inline std::vector<StageLabel> labels_of(const scene::FitFigure&, std::span<const Handle>, const View&, const Theme&,
+                                         const Obstacles&) {
   return {};
 }
 

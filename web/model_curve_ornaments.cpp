@@ -92,7 +92,7 @@ void add_to_picture(Picture& picture, const scene::ModelCurveFigure& figure, con
 }
 
 std::vector<StageLabel> labels_of(const scene::ModelCurveFigure& figure, std::span<const Handle>, const View& view,
-                                  const Theme& theme) {
+                                  const Theme& theme, const Obstacles&) {
   std::vector<StageLabel> labels;
   const std::optional<glm::dvec3> foot = view.project(to_glm(figure.point));
   if (!foot) return labels;

@@ -14,6 +14,6 @@ const Colour& twist_hue(const Theme& theme);
 void add_to_picture(Picture& picture, const scene::ModelCurveFigure& figure, const Look& look);
 /// "T", "N", "B" beside the arrows' tips.
 std::vector<StageLabel> labels_of(const scene::ModelCurveFigure& figure, std::span<const Handle> handles,
-                                  const View& view, const Theme& theme);
+                                  const View& view, const Theme& theme, const Obstacles&);
 
 }  // namespace knotwork::web

@@ -7,8 +7,8 @@ namespace knotwork::web {
 // A model surface's figure: the surface in one calm hue with its parameter lines.
 
 void add_to_picture(Picture& picture, const ModelSurfaceFigure& figure, const Look& look);
-inline std::vector<StageLabel> labels_of(const ModelSurfaceFigure&, std::span<const Handle>, const View&,
-                                         const Theme&) {
+inline std::vector<StageLabel> labels_of(const ModelSurfaceFigure&, std::span<const Handle>, const View&, const Theme&,
+                                         const Obstacles&) {
   return {};
 }
 

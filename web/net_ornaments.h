@@ -11,7 +11,8 @@ namespace knotwork::web {
 /// The surface, its net in front of it and faintly behind, the support of the held or hovered point, handles in their
 /// hues, and the place where a press would add a row or a column.
 void add_to_picture(Picture& picture, const NetSurfaceFigure& figure, const Look& look);
-inline std::vector<StageLabel> labels_of(const NetSurfaceFigure&, std::span<const Handle>, const View&, const Theme&) {
+inline std::vector<StageLabel> labels_of(const NetSurfaceFigure&, std::span<const Handle>, const View&, const Theme&,
+                                         const Obstacles&) {
   return {};
 }
 

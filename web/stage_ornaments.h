@@ -32,7 +32,8 @@ KNOTWORK_LATER void add_rings(Picture& picture);
 
 /// The surface itself, its handles and what display asks for.
 void add_to_picture(Picture& picture, const BlendingFigure& figure, const Look& look);
-inline std::vector<StageLabel> labels_of(const BlendingFigure&, std::span<const Handle>, const View&, const Theme&) {
+inline std::vector<StageLabel> labels_of(const BlendingFigure&, std::span<const Handle>, const View&, const Theme&,
+                                         const Obstacles&) {
   return {};
 }
 

@@ -223,7 +223,7 @@ struct Subject {
   std::vector<StageLabel> labels(bool dark) const {
     std::vector<StageLabel> names;
     const Theme theme = make_theme(dark);
-    if (shows_names(figure, document.display)) names = labels_of(figure, handles, view, theme);
+    if (shows_names(figure, document.display)) names = labels_of(figure, handles, view, theme, {});
     add_tool_labels(names, figure, document.display, tools, view, theme);
     return names;
   }
@@ -288,7 +288,8 @@ std::string still(const scene::Document& document, const StillSize& size) {
   // A surface's shadow needs room below it.
   const std::array<std::array<double, 4>, 1> foot{{{0, 0.84 * size.height, size.width, 0.16 * size.height}}};
   const std::span<const std::array<double, 4>> below(foot.data(), surface_of(figure) ? 1 : 0);
-  const Composition composition = compose(document.camera, points, {.width = size.width, .height = size.height}, below);
+  const Composition composition =
+      compose(document.camera, {points, {}}, {.width = size.width, .height = size.height}, {below, {}});
   scene::Document seen = document;
   seen.camera = composition.camera;
   const View view = make_view(composition.camera, composition.viewport);

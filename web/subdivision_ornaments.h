@@ -12,7 +12,7 @@ namespace knotwork::web {
 void add_to_picture(Picture& picture, const scene::SubdivisionFigure& figure, const Look& look);
 /// None: vertices are many.
 inline std::vector<StageLabel> labels_of(const scene::SubdivisionFigure&, std::span<const Handle>, const View&,
-                                         const Theme&) {
+                                         const Theme&, const Obstacles&) {
   return {};
 }
 

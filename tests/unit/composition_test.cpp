@@ -72,7 +72,7 @@ TEST_CASE("a picture fills what panel and clock leave free") {
   for (const Stage& stage : stages) {
     CAPTURE(stage.width);
     const Composition composition =
-        compose(direction, points, {.width = stage.width, .height = stage.height}, stage.obstacles);
+        compose(direction, {points, {}}, {.width = stage.width, .height = stage.height}, {stage.obstacles, {}});
     CHECK(checked_width(composition, points, stage.obstacles, stage.clearance) > stage.least_width);
     CHECK(composition.camera.azimuth == direction.azimuth);
     CHECK(composition.camera.elevation == direction.elevation);
@@ -82,15 +82,16 @@ TEST_CASE("a picture fills what panel and clock leave free") {
 TEST_CASE("an obstacle makes the picture smaller or moves it, never the other way round") {
   const std::vector<glm::dvec3> points = torus_points();
   const Viewport stage{.width = 800, .height = 600};
-  const double free = checked_width(compose({}, points, stage, {}), points, {});
+  const double free = checked_width(compose({}, {points, {}}, stage, {}), points, {});
   const std::vector<Rect> panel{{500, 0, 300, 600}};
-  const double beside = checked_width(compose({}, points, stage, panel), points, panel);
+  const double beside = checked_width(compose({}, {points, {}}, stage, {panel, {}}), points, panel);
   CHECK(free > 1.3 * beside);
   CHECK(beside > 200);
 }
 
 TEST_CASE("the camera turns about the middle of the points") {
-  const Composition composition = compose({}, torus_points(), {.width = 800, .height = 600}, {});
+  const std::vector<glm::dvec3> points = torus_points();
+  const Composition composition = compose({}, {points, {}}, {.width = 800, .height = 600}, {});
   const View view = make_view(composition.camera, composition.viewport);
   CHECK(std::abs(composition.camera.target.x() - 3) < 0.2);
   CHECK(std::abs(composition.camera.target.y() + 2) < 0.2);
@@ -102,12 +103,69 @@ TEST_CASE("without room, or without points, there still is a picture") {
   const std::vector<glm::dvec3> points = torus_points();
   const Viewport stage{.width = 390, .height = 388};
   const std::vector<Rect> everything{{0, 0, 390, 388}};
-  CHECK(checked_width(compose({}, points, stage, everything), points, {}) > 200);
+  CHECK(checked_width(compose({}, {points, {}}, stage, {everything, {}}), points, {}) > 200);
 
   const scene::Camera camera{.target = {1, 2, 3}, .distance = 7};
-  CHECK(compose(camera, {}, stage, everything).camera == camera);
+  CHECK(compose(camera, {}, stage, {everything, {}}).camera == camera);
   const std::vector<glm::dvec3> one(5, {1, 1, 1});
-  CHECK(compose(camera, one, stage, {}).camera.distance == camera.distance);
+  CHECK(compose(camera, {one, {}}, stage, {}).camera.distance == camera.distance);
+}
+
+/// A phone's small stage with buttons at the top, words below them, and a plot and a clock at the foot.
+struct SmallStage {
+  Viewport viewport{.width = 360, .height = 294};
+  std::vector<Rect> regions{{8, 8, 208, 44}, {222, 8, 134, 48}, {0, 122, 360, 108}, {10, 230, 340, 52}};
+  std::vector<Rect> readouts{{0, 0, 156, 116}};
+};
+
+/// Handles on a circle in the plane that the camera looks at.
+std::vector<glm::dvec3> ring_of_handles() {
+  std::vector<glm::dvec3> points;
+  for (int k = 0; k < 20; ++k)
+    points.emplace_back(std::cos(k * std::numbers::pi / 10), 0, std::sin(k * std::numbers::pi / 10));
+  return points;
+}
+
+scene::Camera ahead() {
+  scene::Camera camera;
+  camera.azimuth = -std::numbers::pi / 2;
+  camera.elevation = 0;
+  return camera;
+}
+
+TEST_CASE("where there is little room, every handle still is in reach") {
+  const std::vector<glm::dvec3> handles = ring_of_handles();
+  const SmallStage stage;
+  const Composition composition = compose(ahead(), {handles, handles}, stage.viewport, {stage.regions, stage.readouts});
+  CHECK(checked_width(composition, handles, stage.regions, 9.9) > 40);
+}
+
+TEST_CASE("where there is little room, what is no handle may be covered, words before buttons") {
+  const std::vector<glm::dvec3> points = ring_of_handles();
+  const std::vector<glm::dvec3> handles{points[5]};  // the topmost
+  SmallStage stage;
+  const auto composed = [&] {
+    return compose(ahead(), {points, handles}, stage.viewport, {stage.regions, stage.readouts});
+  };
+  CHECK(checked_width(composed(), handles, stage.regions, 9.9) == 0);
+  CHECK(checked_width(composed(), points, {}) > 100);
+
+  // Without plot and clock there is room beside the buttons, if the words are given up.
+  stage.regions.resize(2);
+  stage.readouts = {{0, 0, 360, 250}};
+  CHECK(checked_width(composed(), points, stage.regions, 9.9) > 100);
+  // With room beside the words too, nothing is covered.
+  stage.readouts = {{0, 0, 156, 116}};
+  CHECK(checked_width(composed(), points, stage.readouts, 9.9) > 100);
+}
+
+TEST_CASE("a narrow strip between obstacles is used to its middle") {
+  const std::vector<glm::dvec3> handles = ring_of_handles();
+  const Viewport stage{.width = 360, .height = 294};
+  // Its middle is half way between two of the places that are tried first.
+  const std::vector<Rect> regions{{0, 0, 360, 48}, {0, 162, 360, 132}};
+  const Composition composition = compose(ahead(), {handles, handles}, stage, {regions, {}});
+  CHECK(checked_width(composition, handles, regions, 9.9) > 0.95 * (162 - 48 - 20));
 }
 
 }  // namespace knotwork::web::composition_test

@@ -35,7 +35,8 @@ std::size_t longest_number(std::string_view text) {
 }
 
 View view_of(const scene::Document& document, const Figure& figure) {
-  const Composition composition = compose(document.camera, outline(figure), {.width = 720, .height = 440}, {});
+  const std::vector<glm::dvec3> points = outline(figure);
+  const Composition composition = compose(document.camera, {points, {}}, {.width = 720, .height = 440}, {});
   return make_view(composition.camera, composition.viewport);
 }
 
