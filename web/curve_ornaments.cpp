@@ -192,6 +192,9 @@ std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<co
       for (const glm::dvec2& dot : dots) clear = std::min(clear, glm::length(dot - place));
       for (std::size_t other = 0; other < n; ++other)
         if (other != k) clear = std::min(clear, 0.8 * glm::length(points[other] - place));
+      for (const StageLabel& other : labels)
+        if (const double gap = glm::length(other.place - place); gap < 2 * label_reach.x)
+          clear = std::min(clear, gap / 2);
       if (!uncovered(place, label_reach, view.viewport, covered)) clear -= 4 * label_distance;
       if (clear <= most) continue;
       most = clear;
