@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { pullPatch } from './examples/pull_patch.mjs';
 import { pageTest } from './page_test.mjs';
 import {
-  call, documentOf, drag, handlesOf, nextUndo, parameter, plus, scrollTo, settled, shownFigure, until,
+  call, documentOf, drag, handlesOf, nextUndo, parameter, plus, scrollTo, settled, shownFigure, stageRect, until,
 } from './stage.mjs';
 
 const whole = { followed: true, full: true, scale: 0.5 };
@@ -46,6 +46,31 @@ pageTest('every figure comes to the stage as it is declared, and no exercise is 
     assert.equal(await undo.getAttribute('aria-disabled'), 'true', `${id}: there is something to undo`);
   }
 });
+
+// The second is a small one, with its browser's bars in view.
+for (const size of [[390, 844], [360, 640]]) {
+  const phone = { ...whole, size, touch: true, scale: 0.5 };
+  pageTest(`on a phone of ${size.join(' by ')} every handle of every figure is in reach`, phone, async (page) => {
+    const covered = [];
+    let seen = 0;
+    for (const { id } of await figures(page)) {
+      await scrollTo(page, `#figure-${id}`);
+      await until(page, (name) => document.querySelector('[data-shown]')?.dataset.figure === name, id);
+      if ((await documentOf(page)).animation.playing) await call(page, 'pause');
+      await settled(page);
+      const [stage, widgets, handles] = [await stageRect(page), await call(page, 'widgets'), await handlesOf(page)];
+      for (const { id: handle, screen } of handles) {
+        ++seen;
+        const inside = ([x, y, w, h]) => screen[0] > x && screen[0] < x + w && screen[1] > y && screen[1] < y + h;
+        const above = widgets.filter(({ rect }) => screen && inside(rect)).map(({ label }) => label);
+        if (!screen || !inside([stage.x, stage.y, stage.width, stage.height])) above.push('the edge of the stage');
+        if (above.length > 0) covered.push(`${id}: ${handle} lies under ${above.join(', ')}`);
+      }
+    }
+    assert.ok(seen > 500, `${seen} handles`);
+    assert.deepEqual(covered, []);
+  });
+}
 
 pageTest('every phrase does to its figure what it says', whole, async (page) => {
   const phrases = page.locator('.prose [data-run]');

@@ -2,6 +2,7 @@
 set(KNOTWORK_WEB_TESTS
   unit/camera_test.cpp
   unit/composition_test.cpp
+  unit/curve_ornaments_test.cpp
   unit/curve_path_test.cpp
   unit/curve_tools_test.cpp
   unit/drawing_test.cpp
