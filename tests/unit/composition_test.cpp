@@ -163,9 +163,9 @@ TEST_CASE("a narrow strip between obstacles is used to its middle") {
   const std::vector<glm::dvec3> handles = ring_of_handles();
   const Viewport stage{.width = 360, .height = 294};
   // Its middle is half way between two of the places that are tried first.
-  const std::vector<Rect> regions{{0, 0, 360, 48}, {0, 162, 360, 132}};
+  const std::vector<Rect> regions{{0, 0, 360, 58}, {0, 172, 360, 122}};
   const Composition composition = compose(ahead(), {handles, handles}, stage, {regions, {}});
-  CHECK(checked_width(composition, handles, regions, 9.9) > 0.95 * (162 - 48 - 20));
+  CHECK(checked_width(composition, handles, regions, 9.9) > 0.95 * (172 - 58 - 20));
 }
 
 }  // namespace knotwork::web::composition_test
