@@ -765,7 +765,13 @@ View App::view() const { return make_view(document_.camera, free_viewport()); }
 std::vector<StageLabel> App::stage_labels() {
   std::vector<StageLabel> labels;
   const View now = view();
-  if (shows_names(*geometry_.figure, document_.display)) labels = labels_of(*geometry_.figure, handles(), now, theme_, obstacles());
+  if (shows_names(*geometry_.figure, document_.display)) {
+    words_and_rings_ = panel_output_.readouts;
+    for (const Eigen::Vector3d& ring : document_.display.rings)
+      if (const std::optional<glm::dvec3> at = now.project(to_glm(ring)))
+        words_and_rings_.push_back({at->x - ring_radius, at->y - ring_radius, 2.0 * ring_radius, 2.0 * ring_radius});
+    labels = labels_of(*geometry_.figure, handles(), now, theme_, {panel_output_.regions, words_and_rings_});
+  }
   if (wants_tools(document_.display))
     add_tool_labels(labels, *geometry_.figure, document_.display, tools(), now, theme_);
   return labels;

@@ -203,13 +203,14 @@ class App {
   Floor floor_;
   double floor_target_ = -1;
 
-  View stage_view_;                      ///< what the last event was measured in
-  std::set<int> interface_pointers_;     ///< pointers that went down on a panel
-  std::optional<int> interface_leader_;  ///< the first of them: ImGui's mouse
-  bool over_before_ = false;             ///< the hovering pointer was over a panel
-  std::vector<float> maps_;              ///< of the last frame; its memory is used again
-  std::string notice_;                   ///< shown on the stage for a moment
-  std::string spoken_;                   ///< for the page's live region: the last deed or notice
+  View stage_view_;                                     ///< what the last event was measured in
+  std::set<int> interface_pointers_;                    ///< pointers that went down on a panel
+  std::optional<int> interface_leader_;                 ///< the first of them: ImGui's mouse
+  bool over_before_ = false;                            ///< the hovering pointer was over a panel
+  std::vector<float> maps_;                             ///< of the last frame; its memory is used again
+  std::vector<std::array<double, 4>> words_and_rings_;  ///< what names keep clear of; likewise
+  std::string notice_;                                  ///< shown on the stage for a moment
+  std::string spoken_;                                  ///< for the page's live region: the last deed or notice
   double notice_until_ = 0;
   int pending_frames_ = 3;
   bool running_ = false;  ///< the last frame asked for this one

@@ -17,6 +17,7 @@ namespace {
 constexpr float band_width = 15, leg_width = 1.3F;
 constexpr std::size_t most_labels = 24;
 constexpr double label_distance = 19;     // CSS pixels from the point
+constexpr double far_label = 30;          // the same where all sides are covered there: round a ring
 constexpr int label_sides = 16;           // tried
 constexpr glm::dvec2 label_reach(11, 9);  // CSS pixels from its middle to its edges
 
@@ -185,9 +186,10 @@ std::vector<StageLabel> labels_of(const scene::CurveFigure& figure, std::span<co
   for (std::size_t k = 0; k < n; ++k) {
     glm::dvec2 best(0);
     double most = -1e9;
-    for (int side = 0; side < label_sides; ++side) {
+    for (int side = 0; side < 2 * label_sides && (side < label_sides || most < 0); ++side) {
       const double angle = 2 * std::numbers::pi * side / label_sides;
-      const glm::dvec2 place = points[k] + label_distance * glm::dvec2(std::cos(angle), std::sin(angle));
+      const double distance = side < label_sides ? label_distance : far_label;
+      const glm::dvec2 place = points[k] + distance * glm::dvec2(std::cos(angle), std::sin(angle));
       double clear = 2 * label_distance;
       for (const glm::dvec2& dot : dots) clear = std::min(clear, glm::length(dot - place));
       for (std::size_t other = 0; other < n; ++other)

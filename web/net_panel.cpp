@@ -39,8 +39,10 @@ void line_buttons(Frame& frame, const Rect& place, const scene::BSplineSurfaceOb
   const float middle = place.y + strip_header / 2, size = frame.ui.touch ? 36.0F : 26.0F;
   const int count = scene::line_count(object, direction);
   text(frame.ui, Face::bold, {place.x, middle}, colour(theme.ink), along_u ? "u" : "v");
-  text(frame.ui, Face::small, {place.x + 14, middle}, colour(theme.ink_soft),
-       std::to_string(count) + (along_u ? " rows" : " columns"));
+  // On a narrow phone the number has to do, before the buttons begin.
+  std::string lines = std::to_string(count) + (along_u ? " rows" : " columns");
+  if (14 + text_width(frame.ui, Face::small, lines) > place.width - 2 * size + 8) lines = std::to_string(count);
+  text(frame.ui, Face::small, {place.x + 14, middle}, colour(theme.ink_soft), lines);
   const auto button = [&](int slot, std::string_view id, Icon icon, bool enabled, std::string_view hint) {
     const Rect rect{place.x + place.width - size * static_cast<float>(2 - slot), middle - size / 2, size, size};
     return icon_button(frame.ui, id, rect, icon, enabled, hint);

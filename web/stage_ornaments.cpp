@@ -157,7 +157,7 @@ void add_rings(Picture& picture) {
   const glm::vec4 hollow(0);
   for (const Eigen::Vector3d& ring : picture.display.rings) {
     const glm::vec3 place(to_glm(ring));
-    picture.overlay_discs.push_back({place, 12.5F, hollow, to_glm(picture.theme.paper), 5.5F});
+    picture.overlay_discs.push_back({place, ring_radius, hollow, to_glm(picture.theme.paper), 5.5F});
     picture.overlay_discs.push_back({place, 11, hollow, to_glm(picture.theme.accent), 2.5F});
   }
 }

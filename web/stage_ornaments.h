@@ -27,6 +27,7 @@ KNOTWORK_LATER void add_patch_frames(Picture& picture, const BlendingSurface& su
 /// Unit normals of the surface as thin hairs on a regular grid of each knot interval.
 KNOTWORK_LATER void add_normals(Picture& picture, const KnottedSurface& surface);
 
+inline constexpr float ring_radius = 12.5F;  ///< CSS pixels, with its band
 /// The rings of an exercise, on a band of paper so that they stand out from every hue.
 KNOTWORK_LATER void add_rings(Picture& picture);
 

@@ -64,13 +64,20 @@ TEST_CASE("a name that would be covered goes to another side of its point") {
   }
 }
 
+TEST_CASE("a name goes round a ring about its point") {
+  const NamedCurve curve("bspline-curve", {.width = 390, .height = 388});
+  const glm::dvec2 corner = glm::dvec2(*curve.handles[3].screen) - 12.5;
+  const std::vector<std::array<double, 4>> ring{{corner.x, corner.y, 25, 25}};
+  CHECK(uncovered(curve.names({{}, ring})[3].place, half_a_name, curve.view.viewport, {{}, ring}));
+}
+
 TEST_CASE("with every side covered a name still stands beside its point") {
   const NamedCurve curve("bspline-curve", {.width = 390, .height = 388});
   const std::vector<std::array<double, 4>> all{{0, 0, 390, 388}};
   const std::vector<StageLabel> free = curve.names({}), covered = curve.names({all, {}});
   REQUIRE(covered.size() == free.size());
   for (std::size_t k = 0; k < free.size(); ++k)
-    CHECK(glm::distance(covered[k].place, glm::dvec2(*curve.handles[k].screen)) < 20);
+    CHECK(glm::distance(covered[k].place, glm::dvec2(*curve.handles[k].screen)) < 31);
 }
 
 }  // namespace knotwork::web::curve_ornaments_test
