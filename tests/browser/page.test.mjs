@@ -565,6 +565,7 @@ pageTest('the description of the stage follows its state', {}, async (page) => {
   assert.match(await description(), /u closed, v closed.*locals u 6.*Polynomial, order 2/);
   await call(page, 'set', 'locals.u', 5);
   await call(page, 'set', 'topology.v', 'open');
+  await settled(page);  // a handle on its way is not where it was a moment ago
   const handle = await frontHandle(page);
   await page.mouse.click(...handle.screen);
   await settled(page);
