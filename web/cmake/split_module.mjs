@@ -12,7 +12,7 @@ const [folder, module, later, last, ...options] = process.argv.slice(2);
 // Functions that the first figure does without, by their names: marked ones; what is inside a marked maker of rows (its
 // functions, that is, not the maker, even where it has a marked function as an argument); the catalogues' formulas;
 // copying and comparing shapes and figures of any kind but the first; what stands for another surface than the blending
-// one; what evaluates a curve; what our windows, which have no columns, never ask of ImGui; and
+// one; what evaluates a curve; what our windows, which have no columns and no way with keys, never ask of ImGui; and
 // what reads typefaces of another format than the page's.
 const formulas = /__invoke(<[^()]*>)?\(double const\*, knotwork::(Taylor|Mixed)[^)]*\)$/;
 const otherSurfaces = /knotted_surface<(?!knotwork::BlendingSurface>)/;
@@ -24,7 +24,8 @@ const notFirst = [
   otherSurfaces,
   /\bcurve_view(<.*>)?\(.*\)::(\$_|'lambda)/,
   /^(Table|Window)SettingsHandler_/,
-  /^ImGui::(Scrollbar|EndColumns|RenderMouseCursor|NavUpdateWindowingOverlay)/,
+  /^ImGui::(Scrollbar|EndColumns|RenderMouseCursor|NavUpdateWindowingOverlay|NavMoveRequestApplyResult|ScrollToRectEx)/,
+  /^ImGui::(NavUpdateCreateWrappingRequest|NavProcessItemForTabbingRequest|NavUpdatePageUpPageDown)/,
   /^(stb_decompress|stbtt__(run_charstring|cid_get_glyph_subrs|GetGlyphInfoT2))/,
 ];
 // Functions that Bezier curves do without as well, the second chapter's: marked ones, and what is about another kind of
