@@ -1,12 +1,16 @@
-// Runs before the first picture of the page, while its text still arrives.
+// Runs before the first picture of the page, while its text still arrives. Where a browser does not wait for it and has
+// shown text already, that stays.
 {
   const root = document.documentElement;
-  root.classList.add('scripted');  // figures are alive: their still pictures are not shown
+  const shown = performance.getEntriesByType('paint').length > 0;
+  const stage = document.getElementById('stage');
+  // Figures are alive, unless the page has already said that they cannot be: their still pictures are not shown.
+  if (!stage || stage.dataset.state === 'loading') root.classList.add('scripted');
 
   // The text stays out of sight until its typefaces are here: read in another face first, it would move under the
   // reader's eyes. Not later than 0.9 s after the visit has begun, and not for those of formulas, which come further
   // down. Which faces there are is known with the styles. A face that fails to come is done without.
-  root.classList.add('arriving');
+  if (!shown) root.classList.add('arriving');
   const sheets = [...document.querySelectorAll('link[rel=stylesheet]')].filter((link) => !link.sheet);
   const styles = sheets.map(
     (link) => new Promise((resolve) => ['load', 'error'].forEach((end) => link.addEventListener(end, resolve))),
@@ -23,7 +27,7 @@
   // (src/main.ts), or it would wait for them. Who comes by a link into the page, or back to a place in it, gets it
   // whole; should the figure not come, everybody does after 3 s.
   const [entry] = performance.getEntriesByType('navigation');
-  if (!location.hash && entry?.type === 'navigate') {
+  if (!shown && !location.hash && entry?.type === 'navigate') {
     root.classList.add('early');
     setTimeout(() => root.classList.remove('early'), 3000);
   }

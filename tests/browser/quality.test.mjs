@@ -55,6 +55,11 @@ pageTest('domes are orange and saddles blue; the legend says how much', options,
     const [r, , b] = pixel(seen, ...at);
     assert.ok(b > r + 12, `K = ${k}: ${pixel(seen, ...at)}`);
   }
+  // The bar of the legend, above the clock at the left.
+  const bar = (x) => pixel(seen, x, seen.height - 109);
+  assert.ok(bar(28)[2] > bar(28)[0] + 60, `the scale's lower end is ${bar(28)}`);
+  assert.ok(bar(192)[0] > bar(192)[2] + 60, `the scale's upper end is ${bar(192)}`);
+  assert.ok(Math.min(...bar(107)) > 200, `the scale's middle is ${bar(107)}`);
 });
 
 /// How often light and dark take turns along the surface's middle row.
