@@ -388,21 +388,32 @@ void App::upload() {
   const bool parted = display.shading != scene::Shading::lit && !display.local_patches;
   if (parted != geometry_.parted) geometry_.tables_uploaded = false;
   geometry_.parted = parted;
-  if (!geometry_.maps_uploaded || display.shading == scene::Shading::lit) geometry_.quality.reset();
+  if (!geometry_.maps_uploaded) geometry_.quality_stale = true;
+  const bool looks_deeper = display.shading != scene::Shading::lit && surface_of(*geometry_.figure).has_value();
+  if (!looks_deeper) geometry_.quality.reset();
   if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
     upload_blending(*blending, *std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from));
   if (const auto* net = std::get_if<NetSurfaceFigure>(&*geometry_.figure))
     upload_net(*net, *std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from));
   if (const auto* model = std::get_if<ModelSurfaceFigure>(&*geometry_.figure))
     upload_model(*model, *std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from));
-  if (display.shading != scene::Shading::lit && surface_of(*geometry_.figure)) look_into_surface();
+  if (looks_deeper) look_into_surface();
   evaluating_ms_ += milliseconds() - start;
 }
 
-/// Curvature for the colours, and how smooth the surface is at its knot lines.
+/// Curvature for the colours, and how smooth the surface is at its knot lines. While something moves, looking takes a
+/// fifth of the time at most: on a fine grid the colours follow a little later.
 void App::look_into_surface() {
   const scene::Shading shading = document_.display.shading;
-  if (geometry_.quality && geometry_.quality->shading == shading) return;
+  const double start = milliseconds();
+  if (geometry_.quality && geometry_.quality->shading == shading) {
+    if (!geometry_.quality_stale) return;
+    const bool busy = document_.animation.playing || interaction_.drag != InteractionState::Drag::none;
+    if (busy && start - geometry_.looked_at < 4 * geometry_.looking_took) {
+      request_frames(1);
+      return;
+    }
+  }
   const KnottedSurface surface = *surface_of(*geometry_.figure);
   SurfaceQuality quality{.shading = shading};
   if (shading == scene::Shading::gaussian || shading == scene::Shading::mean) {
@@ -416,6 +427,9 @@ void App::look_into_surface() {
     seams = {!blending->surface.twist_u(), !blending->surface.twist_v()};
   quality.joints = surface_joints(surface, 4, seams);
   geometry_.quality = quality;
+  geometry_.quality_stale = false;
+  geometry_.looked_at = milliseconds();
+  geometry_.looking_took = geometry_.looked_at - start;
   request_frames(1);  // the numbers stand in the next picture
 }
 

@@ -120,8 +120,10 @@ class App {
     scene::Roll roll{-1, -1};
     bool maps_uploaded = false, tables_uploaded = false, hues_uploaded = false;
     bool parted = false;  ///< the grid of the tables
-    /// How the surface has been looked into for its present shading; made anew when either changes.
+    /// What a look into the surface has found for its shading; made anew when either changes.
     std::optional<SurfaceQuality> quality;
+    bool quality_stale = false;              ///< the surface has moved since
+    double looked_at = 0, looking_took = 0;  ///< milliseconds
   };
 
   void advance(double now);

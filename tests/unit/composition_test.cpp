@@ -121,6 +121,7 @@ struct SmallStage {
 /// Handles on a circle in the plane that the camera looks at.
 std::vector<glm::dvec3> ring_of_handles() {
   std::vector<glm::dvec3> points;
+  points.reserve(20);
   for (int k = 0; k < 20; ++k)
     points.emplace_back(std::cos(k * std::numbers::pi / 10), 0, std::sin(k * std::numbers::pi / 10));
   return points;

@@ -16,6 +16,7 @@ namespace {
 /// Any points, but none in a special place.
 std::vector<Eigen::Vector3d> scattered(int count) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     points.emplace_back(i + 0.3 * std::sin(5.0 * i), std::cos(3.0 * i), std::sin(7.0 * i));
   return points;

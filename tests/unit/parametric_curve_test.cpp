@@ -1,6 +1,9 @@
 #include "knotwork/curve/parametric_curve.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -94,6 +97,16 @@ TEST_CASE("just before a corner the derivatives are those of the piece that ends
     CHECK(before[1] == Eigen::Vector3d(2, 0, 0));
     CHECK(at[1] == Eigen::Vector3d(0, 1, 0));
     CHECK(close(before[0], at[0], 1e-5));
+  }
+}
+
+TEST_CASE("before any parameter lies a number whose inverse is finite") {
+  for (const double t : {0.0, -0.0, 1.0, -1.0, 1e-300, -1e-300, std::numeric_limits<double>::min(), 1e10}) {
+    const double before = just_before(t);
+    CHECK(before < t);
+    CHECK(t - before <=
+          std::max(std::numeric_limits<double>::epsilon() * std::abs(t), std::numeric_limits<double>::min()));
+    if (before != 0) CHECK(std::isfinite(1 / before));
   }
 }
 

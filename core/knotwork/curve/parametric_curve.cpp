@@ -61,6 +61,10 @@ std::vector<double> piece_ends(double from, double to, std::span<const double> b
   return ends;
 }
 
-double just_before(double end) { return std::nextafter(end, -std::numeric_limits<double>::infinity()); }
+double just_before(double end) {
+  const double before = std::nextafter(end, -std::numeric_limits<double>::infinity());
+  constexpr double least = std::numeric_limits<double>::min();
+  return before < 0 && before > -least ? -least : before;
+}
 
 }  // namespace knotwork

@@ -59,7 +59,8 @@ CurveView curve_view(const ModelCurve& curve);
 std::vector<double> piece_ends(double from, double to, std::span<const double> breaks);
 
 /// The last parameter before `end`: where a piece is evaluated for its own derivatives at its end, not for those of the
-/// next one. Moves the point by rounding only.
+/// next one. Moves the point by rounding only. Before 0 it is the least normal number: of lesser ones the inverse
+/// overflows.
 double just_before(double end);
 
 }  // namespace knotwork
