@@ -346,6 +346,7 @@ void App::update_surface(const scene::BlendingSurfaceObject& object) {
     scene::update_locals(shown->surface, object, document_.animation, roll_.shown, shown->axes);
     shown->net.reset();
   } else {
+    geometry_.tools.reset();
     geometry_.figure = BlendingFigure(scene::build_surface(object, document_.animation, roll_.shown));
     geometry_.roll = roll_.shown;
     geometry_.tables_uploaded = geometry_.hues_uploaded = false;
@@ -368,6 +369,7 @@ void App::update_net(const scene::BSplineSurfaceObject& object) {
     shown->shown.move(object, roll_.other_u, roll_.other_v, roll_.shown);
     shown->net.reset();
   } else {
+    geometry_.tools.reset();
     geometry_.figure = NetSurfaceFigure{scene::NetFigure(object, roll_.other_u, roll_.other_v, roll_.shown), {}};
     geometry_.hues_uploaded = false;
     floor_.half_size = 0;
@@ -389,16 +391,20 @@ void App::upload() {
   if (parted != geometry_.parted) geometry_.tables_uploaded = false;
   geometry_.parted = parted;
   if (!geometry_.maps_uploaded) geometry_.quality_stale = true;
-  const bool looks_deeper = display.shading != scene::Shading::lit && surface_of(*geometry_.figure).has_value();
-  if (!looks_deeper) geometry_.quality.reset();
+  if (!looks_deeper()) geometry_.quality.reset();
   if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
     upload_blending(*blending, *std::get_if<scene::BlendingSurfaceObject>(&geometry_.made_from));
   if (const auto* net = std::get_if<NetSurfaceFigure>(&*geometry_.figure))
     upload_net(*net, *std::get_if<scene::BSplineSurfaceObject>(&geometry_.made_from));
   if (const auto* model = std::get_if<ModelSurfaceFigure>(&*geometry_.figure))
     upload_model(*model, *std::get_if<scene::ModelSurfaceObject>(&geometry_.made_from));
-  if (looks_deeper) look_into_surface();
+  if (looks_deeper()) look_into_surface();
   evaluating_ms_ += milliseconds() - start;
+}
+
+/// Whether it is a surface that is not just lit.
+bool App::looks_deeper() const {
+  return document_.display.shading != scene::Shading::lit && surface_of(*geometry_.figure).has_value();
 }
 
 /// Curvature for the colours, and how smooth the surface is at its knot lines. While something moves, looking takes a
@@ -422,10 +428,14 @@ void App::look_into_surface() {
     renderer_.upload_curvature(field.values);
     quality.scale = field.scale;
   }
-  JointSeams seams;
-  if (const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure))
-    seams = {!blending->surface.twist_u(), !blending->surface.twist_v()};
-  quality.joints = surface_joints(surface, 4, seams);
+  const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure);
+  quality.joints = surface_joints(surface, 4, blending ? untwisted_seams(blending->surface) : JointSeams());
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
+  for (const glm::dvec3& point : outline(surface)) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  quality.size = glm::distance(low, high);
   geometry_.quality = quality;
   geometry_.quality_stale = false;
   geometry_.looked_at = milliseconds();
@@ -721,7 +731,7 @@ void App::run_interface(double seconds) {
                .reduced_motion = reduced_motion_,
                .labels = stage_labels(),
                .notice = notice_,
-               .quality = geometry_.quality},
+               .quality = looks_deeper() ? geometry_.quality : std::nullopt},
               panel_output_);
   ImGui::Render();
 

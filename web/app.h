@@ -140,6 +140,7 @@ class App {
   void upload();
   bool choose_grid(int samples_u, int samples_v);
   SampleGrid chosen_grid() const { return grid_.grid(*geometry_.figure, geometry_.parted); }
+  bool looks_deeper() const;
   KNOTWORK_LAST void look_into_surface();
   void run_interface(double seconds);
   void draw();

@@ -80,11 +80,12 @@ Hodograph hodograph_of(const CurveView& view, const std::vector<glm::dvec3>& out
   velocities.add(glm::dvec3(0));
   const std::vector<double> ends = piece_ends(view.start, view.end, view.breaks);
   std::vector<glm::dvec3> found;
+  // A piece that winds needs more places than one that bends.
+  const int steps = std::max(places_of_piece, view.detail);
   for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
-    for (int k = 0; k <= places_of_piece; ++k) {
+    for (int k = 0; k <= steps; ++k) {
       const double end = ends[piece + 1];
-      const double t = k == places_of_piece ? just_before(end)
-                                            : std::lerp(ends[piece], end, static_cast<double>(k) / places_of_piece);
+      const double t = k == steps ? just_before(end) : std::lerp(ends[piece], end, static_cast<double>(k) / steps);
       std::array<Eigen::Vector3d, 2> c;
       view.evaluate(t, c);
       found.push_back(to_glm(c[1]));
@@ -98,8 +99,8 @@ Hodograph hodograph_of(const CurveView& view, const std::vector<glm::dvec3>& out
   hodograph.origin = origin_beside(room, drawn);
   hodograph.places.reserve(found.size());
   for (std::size_t k = 0; k < found.size(); ++k)
-    hodograph.places.push_back({glm::vec3(hodograph.origin + hodograph.scale * found[k]),
-                                (k + 1) % static_cast<std::size_t>(places_of_piece + 1) == 0});
+    hodograph.places.push_back(
+        {glm::vec3(hodograph.origin + hodograph.scale * found[k]), (k + 1) % static_cast<std::size_t>(steps + 1) == 0});
   return hodograph;
 }
 
@@ -109,7 +110,8 @@ void add_line(Picture& picture, const glm::dvec3& from, const glm::dvec3& to, co
 
 void add_hodograph(Picture& picture, const Figure& figure, const CurveTools& tools) {
   const Hodograph& hodograph = tools.hodograph;
-  if (hodograph.places.empty()) return;
+  const std::optional<CurveView> view = curve_of(figure);
+  if (hodograph.places.empty() || !view) return;
   const glm::vec4 ink = to_glm(velocity_hue(picture.theme), 1), soft = to_glm(picture.theme.ink_soft, 0.7F);
   for (std::size_t k = 0; k + 1 < hodograph.places.size(); ++k)
     if (!hodograph.places[k].ends_piece)
@@ -118,11 +120,10 @@ void add_hodograph(Picture& picture, const Figure& figure, const CurveTools& too
   // Where it is torn, both ends are marked.
   for (const Continuity& joint : tools.joints) {
     if (joint.parametric >= 1) continue;
-    const CurveView view = *curve_of(figure);
-    const double before = joint.t <= view.start ? view.end : joint.t;
+    const double before = joint.t <= view->start ? view->end : joint.t;
     for (const double t : {just_before(before), joint.t}) {
       std::array<Eigen::Vector3d, 2> c;
-      view.evaluate(t, c);
+      view->evaluate(t, c);
       const glm::dvec3 at = hodograph.origin + hodograph.scale * to_glm(c[1]);
       picture.discs.push_back({glm::vec3(at), 4.2F, to_glm(picture.theme.stage, 1), glm::vec3(ink), 1.8F});
     }
@@ -135,7 +136,7 @@ void add_hodograph(Picture& picture, const Figure& figure, const CurveTools& too
   if (!t) return;
   // The same arrow twice: from the origin, and from the point that moves with this velocity.
   std::array<Eigen::Vector3d, 2> c;
-  curve_of(figure)->evaluate(*t, c);
+  view->evaluate(*t, c);
   const glm::dvec3 step = hodograph.scale * to_glm(c[1]);
   for (const glm::dvec3& foot : {hodograph.origin, to_glm(c[0])}) {
     add_line(picture, foot, foot + step, ink, velocity_ink);

@@ -45,7 +45,7 @@ KNOTWORK_LAST void add_tool_labels(std::vector<StageLabel>& labels, const Figure
 std::string continuity_text(const Continuity& joint);
 
 /// The circle of a point, its centre, in the plane of the unit tangent and normal there; nothing where it is larger than
-/// twice the curve's size: it would be a line through the picture.
+/// twice the size of the curve (its box's diagonal): it would be a line through the picture.
 void add_osculating_circle(Picture& picture, const glm::dvec3& centre, double radius, const glm::dvec3& tangent,
                            const glm::dvec3& normal, double size);
 

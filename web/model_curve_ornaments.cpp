@@ -54,7 +54,7 @@ void add_arrow(Picture& picture, glm::dvec3 foot, const FrameArrow& arrow) {
 void add_circle(Picture& picture, const scene::ModelCurveFigure& figure) {
   if (!figure.circle) return;
   add_osculating_circle(picture, to_glm(figure.circle->centre), figure.circle->radius, to_glm(figure.frame.tangent),
-                        to_glm(figure.frame.normal), figure.size);
+                        to_glm(figure.frame.normal), 2 * figure.size);
 }
 
 }  // namespace

@@ -676,9 +676,9 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   const SurfaceJoints& joints = quality.joints;
   const double degrees = joints.kink * 180 / std::numbers::pi;
   text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
-       degrees >= 0.05        ? Words().add(words::kink).add(text_of("%.1f", degrees)).add("°")
-       : joints.bend >= 0.005 ? Words().add(words::bend).add(text_of("%.2f", joints.bend))
-                              : Words().add(words::smooth));
+       degrees >= 0.05                      ? Words().add(words::kink).add(text_of("%.1f", degrees)).add("°")
+       : joints.bend * quality.size >= 0.02 ? Words().add(words::bend).add(text_of("%.2g", joints.bend))
+                                            : Words().add(words::smooth));
   ImGui::End();
 }
 

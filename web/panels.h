@@ -46,6 +46,7 @@ struct Probe {
 struct SurfaceQuality {
   scene::Shading shading = scene::Shading::lit;
   double scale = 1;  ///< where the colours of a curvature end
+  double size = 1;   ///< of the surface: its box's diagonal
   SurfaceJoints joints;
 };
 

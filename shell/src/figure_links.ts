@@ -53,7 +53,8 @@ export class FigureLinks {
       if (query === '' || (back && query === known)) {
         await (back && query === '' && known ? this.scenes.again(figure) : this.scenes.show(figure));
       } else {
-        await this.scenes.give(figure, query);
+        // The reader may have gone on meanwhile.
+        if (!(await this.scenes.give(figure, query))) return;
       }
       this.followed.set(figure, query);
     } catch (error) {

@@ -87,24 +87,28 @@ function makePage(bridge: Bridge, parts: LaterParts): void {
   // Not over a message that has come up since.
   if (document.getElementById('stage')!.dataset['state'] === 'loading') raise();
   // Who waits for the page to be ready may ask for anything; the figure is alive before.
+  // A part that has not come is fetched again by the first call that needs it.
   void parts.later
     .fetch()
+    .then(() => bridge.complete(), console.warn)
     .then(() => {
-      bridge.complete();
       page?.follow();
       whenReached(document.getElementById('bsplines')!, () => void parts.last.fetch().catch(console.warn));
-    }, console.warn)
+    })
+    .catch((error) => fail('failed', error))
     .finally(() => api.settle());
 }
 
-/// When `element` has come into view, or lies above what is seen.
+/// When `element` has come into view, or lies above what is seen: there the window reaches as far as a page may.
 function whenReached(element: Element, act: () => void): void {
-  const observer = new IntersectionObserver((entries) => {
-    const entry = entries.at(-1)!;
-    if (!entry.isIntersecting && entry.boundingClientRect.top > 0) return;
-    observer.disconnect();
-    act();
-  });
+  const observer = new IntersectionObserver(
+    (entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+      observer.disconnect();
+      act();
+    },
+    { rootMargin: '10000000px 0px 0px 0px' },
+  );
   observer.observe(element);
 }
 

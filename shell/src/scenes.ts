@@ -166,11 +166,12 @@ export class Scenes {
   }
 
   /// Shows the figure with the state that an address asks for, as the reader's own: undone by one step. Throws what is
-  /// wrong with that state; then the figure is on the stage as it was.
-  async give(figure: Figure, query: string): Promise<void> {
+  /// wrong with that state; then the figure is on the stage as it was. False: the reader has gone on to another one
+  /// meanwhile.
+  async give(figure: Figure, query: string): Promise<boolean> {
     await this.show(figure);
     const [start, state] = await Promise.all([this.documentOf(figure), readState(query)]);
-    if (figure !== this.current || !state) return;
+    if (figure !== this.current || !state) return false;
     // Tried first: of a state that is refused half way, nothing is to be seen.
     const document = this.trial(() => {
       this.load(figure, start);
@@ -190,6 +191,7 @@ export class Scenes {
       this.bridge.gesture(false);
     }
     this.changed();
+    return true;
   }
 
   /// The last thing that an address has made of the figure; nothing to look into. Null where none has.

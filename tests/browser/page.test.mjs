@@ -251,9 +251,32 @@ pageTest(
     }
     assert.ok(!(await asked()).some((name) => lastPart.test(name)), 'the last part came too early');
     assert.ok((await chapters.count()) > 3);
+    // By a jump over the chapter that needs it first.
     const coming = page.waitForResponse(lastPart);
-    await scrollTo(page, '#bsplines');
+    await scrollTo(page, '#blending-splines');
     await coming;
+  },
+);
+
+pageTest(
+  'later parts that fail to come are fetched again by who needs them, and the stage goes with the reader',
+  {
+    followed: true,
+    full: true,
+    expected: [/net::ERR_FAILED/],
+    before: async (page) => {
+      for (const part of [secondPart, lastPart]) {
+        await page.route(part, (route) =>
+          route.request().resourceType() === 'fetch' ? route.abort('failed') : route.continue(),
+        );
+      }
+    },
+  },
+  async (page) => {
+    await scrollTo(page, '#figure-circle-six');
+    await page.locator('#figure-circle-six[data-shown]').waitFor();
+    await settled(page);
+    assert.ok((await call(page, 'parameters')).some(({ id }) => id === 'fitted.count'));
   },
 );
 

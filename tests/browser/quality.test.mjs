@@ -1,5 +1,5 @@
-// What shows how good a surface or a curve is: colours of curvature, stripes, and what stands beside them. Pixels are held
-// against the script interface's own derivatives.
+// What shows how good a surface or a curve is: colours of curvature, stripes, and what stands beside them. Pixels are
+// held against the script interface's own derivatives.
 import assert from 'node:assert/strict';
 import { pageTest } from './page_test.mjs';
 import {
@@ -16,7 +16,8 @@ function gaussian({ Su, Sv, Suu, Suv, Svv }) {
   return (e * g - f * f) / (dot(Su, Su) * dot(Sv, Sv) - dot(Su, Sv) ** 2);
 }
 
-/// The handles of the torus that face the reader, each with the curvature of the surface there and its place in a picture of the stage.
+/// The handles of the torus that face the reader, each with the curvature of the surface there and its place in a
+/// picture of the stage.
 async function places(page) {
   const [handles, { camera }] = [await handlesOf(page), await documentOf(page)];
   const { u, v } = await grid(page);
@@ -32,7 +33,8 @@ async function places(page) {
     const jet = await call(page, 'evaluate', 'surface', [u.centre(i), v.centre(j)], 2);
     assert.ok(Math.hypot(...minus(jet.S, position)) < 1e-6, `${id} is not at its knots`);
     const towards = minus(eye, position);
-    const facing = dot(cross(jet.Su, jet.Sv), towards) / (Math.hypot(...cross(jet.Su, jet.Sv)) * Math.hypot(...towards));
+    const normal = cross(jet.Su, jet.Sv);
+    const facing = dot(normal, towards) / (Math.hypot(...normal) * Math.hypot(...towards));
     if (screen && facing > 0.35) found.push({ k: gaussian(jet), at: [screen[0] - stage.x, screen[1] - stage.y] });
   }
   return found;

@@ -11,6 +11,7 @@
 #include "knotwork/scene/commands.h"
 #include "knotwork/scene/model_figure.h"
 #include "knotwork/scene/surface_builder.h"
+#include "knotwork/surface/bspline_surface.h"
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork::curvature_field_test {
@@ -75,6 +76,39 @@ TEST_CASE("a grid parted at its knots has the values of both sides there, and th
     }
   }
   CHECK(sharpest > 0.05);  // linear blending of a pulled patch has creases
+}
+
+TEST_CASE("the values on a parted grid are those of both sides, at seams too") {
+  scene::Document document = scene::find_chapter("blending-surface")->start_document();
+  REQUIRE(scene::apply(document, scene::SetParameter{"blending.function", std::string("polynomial1")}));
+  const BlendingSurface surface = scene::build_surface(scene::blending_surface(document), document.animation);
+  const KnottedSurface view = knotted_surface(surface);
+  const SampleGrid grid =
+      parted_at_knots(sample_grid(*view.knots_u, *view.knots_v, 24, 24, Seam::repeated), *view.knots_u, *view.knots_v);
+  CHECK(grid.u.back() == just_before(view.knots_u->end()));
+  const CurvatureField field = curvature_field(view, grid, CurvatureKind::gaussian);
+  double jump = 0;
+  for (std::size_t k = 1; k + 1 < grid.starts_u.size(); ++k) {
+    const auto at = static_cast<std::size_t>(grid.starts_u[k]);
+    for (std::size_t b = 0; b < grid.v.size(); ++b)
+      jump =
+          std::max(jump, std::abs(field.values[at * grid.v.size() + b] - field.values[(at - 1) * grid.v.size() + b]));
+  }
+  CHECK(jump > 0.1);  // order 1 leaves the curvature to jump
+}
+
+TEST_CASE("a surface that is a point, or nearly one, has finite values and a finite scale") {
+  for (const double size : {0.0, 1e-99, 1e-20}) {
+    const KnotVector knots = KnotVector::make(1, Topology::open, {0, 0, 1, 1}).value();
+    const BSplineSurface tiny =
+        BSplineSurface::make(knots, knots, {{0, 0, 0}, {0, size, 0}, {size, 0, 0}, {size, size, size}}).value();
+    const KnottedSurface view = knotted_surface(tiny);
+    for (const CurvatureKind kind : {CurvatureKind::gaussian, CurvatureKind::mean}) {
+      const CurvatureField field = curvature_field(view, sample_grid(knots, knots, 6, 6, Seam::repeated), kind);
+      for (const double value : field.values) CHECK(std::isfinite(static_cast<float>(value)));
+      CHECK(std::isfinite(static_cast<float>(field.scale)));
+    }
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Splits the page's module in three: what the first figure needs, what the first chapters need besides, and all the rest.
+// Splits the page's module in three: what the first figure needs, what the first chapters need besides, and the rest.
 // usage: split_module.mjs <binaryen's folder> <module.wasm> <later.wasm> <last.wasm> [wasm-opt option ...]
 //
 // `module.wasm` has function names and is replaced by the first part; all lose the names. Calls from one part into
@@ -91,8 +91,8 @@ const soon = reached(isOneOf(notSoon));
 const second = [...calls.keys()].filter((name) => !first.has(name) && soon.has(name));
 const third = [...calls.keys()].filter((name) => !first.has(name) && !soon.has(name));
 if (!first.has('malloc')) throw new Error('the call graph has not been understood');
-for (const part of [second, third]) {
-  if (!part.some(isOneOf(notFirst))) throw new Error('no function of a part is marked: has the module names?');
+for (const [part, marks] of [[second, notFirst], [third, notSoon]]) {
+  if (!part.some(isOneOf(marks))) throw new Error('no function of a part is marked: has the module names?');
 }
 
 const list = `${later}.functions`;
@@ -115,10 +115,13 @@ const nameOf = new Map([...numbers(names)].map(([name, number]) => [number, name
 split(rest, second.map((name) => nameOf.get(numberOf.get(plain(name)))), later, 'later', '.', module);
 // The table has grown since `last` was cut off: what it says of the table's greatest size is no longer true.
 const text = run('wasm-opt', last, ...features, '-S', '-o', '-');
-writeFileSync(`${last}.text`, text.replace(/^( \(import "first" .*\(table \S+ \d+) \d+ /m, '$1 '));
+const unlimited = text.replace(/^( \(import "first" .*\(table \S+ \d+) \d+ /m, '$1 ');
+if (unlimited === text) throw new Error('the table of the last part has not been understood');
+writeFileSync(`${last}.text`, unlimited);
 run('wasm-opt', `${last}.text`, ...features, '-o', last);
 for (const part of [module, later, last]) run('wasm-opt', part, ...options, '-o', part);
-for (const file of [list, whole, rest, `${last}.text`, ...[module, later, last, rest].map((part) => `${part}.symbols`)]) {
+const symbols = [module, later, last, rest].map((part) => `${part}.symbols`);
+for (const file of [list, whole, rest, `${last}.text`, ...symbols]) {
   rmSync(file, { force: true });
 }
 console.log(`first part ${statSync(module).size} bytes, second ${statSync(later).size}, third ${statSync(last).size}`);

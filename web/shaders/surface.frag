@@ -58,6 +58,7 @@ void main() {
   vec3 normal = v_normal;
   if (dot(normal, normal) < 0.25) normal = cross(dFdx(v_place), dFdy(v_place));  // a pole: the facet's own normal
   normal = normalize(normal);
+  float slope = acos(clamp(normal.z, -1.0, 1.0)) * 18.0 / 3.14159265;  // to the vertical, in steps of 10 degrees
   vec3 to_eye = normalize(u_eye - v_point);
   // The back is what faces away for certain: just behind a silhouette the smooth normal still looks at the reader.
   float back = gl_FrontFacing ? 0.0 : smoothstep(0.04, 0.22, -dot(normal, to_eye));
@@ -101,10 +102,9 @@ void main() {
   vec3 c = srgb_from_linear(lit);
   float wire = max(line_coverage(v_grid.x, 0.8), line_coverage(v_grid.y, 0.8)) * u_wireframe;
   float knots = max(line_coverage(v_knot.x, 1.25), line_coverage(v_knot.y, 1.25)) * u_knot_lines;
-  float lines = 0.0;
-  if (u_shading == 2) lines = 0.75 * line_coverage(acos(clamp(normalize(v_normal).z, -1.0, 1.0)) * 18.0 / 3.14159265, 1.8);
-  // Quarters of the scale; on what is curved alike everywhere there are none.
-  float quarters = 4.0 * v_curvature / u_curvature_scale;
+  // On what has one slope, or is curved alike everywhere, there are no lines.
+  float lines = 0.0, quarters = 4.0 * v_curvature / u_curvature_scale;
+  if (u_shading == 2) lines = 0.75 * line_coverage(slope, 1.8) * smoothstep(2e-4, 1e-3, fwidth(slope));
   if (u_shading == 3) lines = 0.3 * line_coverage(quarters, 1.0) * smoothstep(2e-4, 1e-3, fwidth(quarters));
   c = mix(c, u_line_colour, max(max(wire, knots), lines));
   colour = vec4(c + dither(gl_FragCoord.xy), 1.0);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double usual_share = 0.95;  // of the values, which the scale has to hold
 constexpr double least_bend = 0.1;    // times the size of the surface
+constexpr double largest = 1e30;      // so that scale and values are floats
 
 }  // namespace
 
@@ -39,7 +40,8 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
     for (const SurfaceJet& jet : made) {
       box.extend(jet.s);
       const SurfaceCurvature curved = curvature(jet);
-      field.values.push_back(kind == CurvatureKind::gaussian ? curved.gaussian : curved.mean);
+      const double value = kind == CurvatureKind::gaussian ? curved.gaussian : curved.mean;
+      field.values.push_back(std::isfinite(value) ? std::clamp(value, -largest, largest) : 0);
     }
   }
 
@@ -48,7 +50,7 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
   for (const double value : field.values) sizes.push_back(std::abs(value));
   const auto usual = sizes.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), usual, sizes.end());
-  const double size = std::max(box.diagonal().norm(), 1e-100);
+  const double size = std::max(box.diagonal().norm(), 1e-12);
   field.scale = round_up_to_125(std::max(*usual, least_bend / (kind == CurvatureKind::gaussian ? size * size : size)));
   return field;
 }

@@ -280,8 +280,12 @@ Measure seam_gap(const Document& document) {
 }
 
 Measure of_joints(const Document& document, double SurfaceJoints::*member, double unit = 1) {
-  return of_surface(
-      document, [&](const KnottedSurface& surface) -> Measure { return unit * surface_joints(surface, 4).*member; });
+  JointSeams seams;
+  if (const auto* blending = std::get_if<BlendingSurfaceObject>(&stage_shape(document)))
+    seams = untwisted_seams(build_surface(*blending, document.animation));
+  return of_surface(document, [&](const KnottedSurface& surface) -> Measure {
+    return unit * surface_joints(surface, 4, seams).*member;
+  });
 }
 
 /// Of a polygon in the curve, and of one twice as fine: their errors are as 4 to 1.

@@ -25,7 +25,7 @@ namespace knotwork::scene {
 ///   cells.count         of a blending or B-spline surface: its knot intervals in u times those in v, empty ones left out
 ///   seam.gap            the largest distance between the two ends of a direction of a surface that is open, of both
 ///                       the smaller; 0 when one is closed
-///   joints.kink         of a surface: the largest angle between its tangent planes across knot lines and seams, degrees
+///   joints.kink         of a surface: the largest angle between its normals across knot lines and seams, degrees
 ///   joints.bend         the same of normal curvatures across these lines, 1 / model units
 ///   curve.length        arc length
 ///   curve.inflections   how often a curve in a plane z = const begins to turn the other way

@@ -33,19 +33,22 @@ std::vector<double> places_between(const KnotVector& knots, int places) {
   return t;
 }
 
-/// e / E, or with v g / G: how the surface bends along one parameter line.
-double bend_along(const SurfaceJet& jet, bool u) {
+/// The normal curvature across a line u = const, or v = const: both forms at S_u - r S_v with r = F/G, which is at right
+/// angles to the line. Across v = const the parameters change places.
+double bend_across(const SurfaceJet& jet, bool u) {
   const FundamentalForms forms = fundamental_forms(jet);
-  const double metric = u ? forms.E : forms.G;
-  return metric > 0 ? (u ? forms.e : forms.g) / metric : 0;
+  const double along = u ? forms.G : forms.E, across = u ? forms.E : forms.G;
+  const double e = u ? forms.e : forms.g, g = u ? forms.g : forms.e;
+  const double r = forms.F / along, metric = across - r * forms.F;
+  return metric > 0 ? (e - 2 * r * forms.f + r * r * g) / metric : 0;
 }
 
 void look(SurfaceJoints& joints, const SurfaceJet& before, const SurfaceJet& behind, bool u) {
   joints.gap = std::max(joints.gap, (before.s - behind.s).norm());
   if (!curvature(before).regular || !curvature(behind).regular) return;  // a pole has no tangent plane
   const Eigen::Vector3d a = unit_normal(before), b = unit_normal(behind);
-  joints.kink = std::max(joints.kink, std::atan2(a.cross(b).norm(), std::abs(a.dot(b))));
-  joints.bend = std::max(joints.bend, std::abs(bend_along(before, u) - bend_along(behind, u)));
+  joints.kink = std::max(joints.kink, std::atan2(a.cross(b).norm(), a.dot(b)));
+  joints.bend = std::max(joints.bend, std::abs(bend_across(before, u) - bend_across(behind, u)));
 }
 
 }  // namespace

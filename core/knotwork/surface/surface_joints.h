@@ -1,6 +1,7 @@
 #pragma once
 
 #include "knotwork/later.h"
+#include "knotwork/surface/blending_surface.h"
 #include "knotwork/surface/knotted_surface.h"
 
 namespace knotwork {
@@ -9,8 +10,8 @@ namespace knotwork {
 /// inner knot lines and the seams of closed directions.
 struct SurfaceJoints {
   double gap = 0;   ///< between points, model units
-  double kink = 0;  ///< between tangent planes, radians in [0, pi/2]
-  double bend = 0;  ///< between normal curvatures across the line, 1 / model units
+  double kink = 0;  ///< between unit normals, radians in [0, pi]: pi where the surface is folded back
+  double bend = 0;  ///< between normal curvatures in the direction across the line, 1 / model units
 };
 
 /// Which seams count. A twisted one meets itself reflected, so that points of the same parameters are not neighbours.
@@ -18,7 +19,12 @@ struct JointSeams {
   bool u = true, v = true;
 };
 
-/// From `places` places in each knot interval of the other direction, evenly spread and none on a knot. Sides are told
+/// All but twisted ones.
+inline JointSeams untwisted_seams(const BlendingSurface& surface) {
+  return {!surface.twist_u().has_value(), !surface.twist_v().has_value()};
+}
+
+/// From `places` >= 1 places in each knot interval of the other direction, evenly spread and none on a knot. Sides are told
 /// apart as in continuity_at(): by the last parameter before the knot. Rounding leaves of a smooth surface about 1e-13
 /// of its size in `gap`, 1e-8 in `kink`, and of curvatures as much as their own rounding.
 KNOTWORK_LAST SurfaceJoints surface_joints(const KnottedSurface& surface, int places, JointSeams seams = {});
