@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "knotwork/curve/curve_measures.h"
 #include "knotwork/curve/parametric_curve.h"
 #include "web/vectors.h"
 
@@ -16,13 +17,6 @@ constexpr int most_hairs = 900, hairs_of_piece = 36, least_hairs = 6;
 constexpr double scale = 0.035;   ///< hair = scale * size^2 * curvature, of a curve of this size (its box's diagonal)
 constexpr double longest = 0.45;  ///< of the size: what turns more sharply is cut off
 constexpr float hair_ink = 1, tip_ink = 1.8F;
-
-/// c'' across c', over |c'|^2: towards the centre of curvature, as long as the curvature; nothing without speed.
-Eigen::Vector3d curvature_vector(const std::array<Eigen::Vector3d, 3>& c) {
-  const double speed2 = c[1].squaredNorm();
-  if (speed2 < 1e-20) return Eigen::Vector3d::Zero();
-  return (c[2] - c[2].dot(c[1]) / speed2 * c[1]) / speed2;
-}
 
 }  // namespace
 

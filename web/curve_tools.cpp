@@ -229,14 +229,14 @@ void add_tool_labels(std::vector<StageLabel>& labels, const Figure& figure, cons
     const glm::dvec2 way = glm::dvec2(*inside) - glm::dvec2(*screen);
     const double length = glm::length(way);
     const glm::dvec2 side = length > 1 ? way / length : glm::dvec2(0, 1);
-    // Where another name stands there, on the other side, or farther away.
+    // Where another name stands there, farther away, or on the other side.
     const auto stands_free = [&](const glm::dvec2& place) {
       return std::none_of(labels.begin(), labels.end(), [&](const StageLabel& other) {
         return std::abs(other.place.x - place.x) < label_room.x && std::abs(other.place.y - place.y) < label_room.y;
       });
     };
     glm::dvec2 place = glm::dvec2(*screen) + joint_label_distance * side;
-    for (const double distance : {-joint_label_distance, 2 * joint_label_distance, -2 * joint_label_distance})
+    for (const double distance : {2 * joint_label_distance, -joint_label_distance, -2 * joint_label_distance})
       if (!stands_free(place)) place = glm::dvec2(*screen) + distance * side;
     labels.push_back({continuity_text(joint), place, theme.accent});
   }

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -248,27 +249,17 @@ double normal_without_slope() {
 
 // --- Chapter 9: quality --------------------------------------------------------------------------------------------
 
-/// Curvature and speed at the inner end of the piece before t, and at t.
-std::array<double, 2> curvatures_at(const std::string& scene, double t) {
+/// A measure of the derivatives up to the second, of the piece before t, and at t.
+std::array<double, 2> both_sides(const std::string& scene, double t,
+                                 double (*measure)(std::span<const Eigen::Vector3d>)) {
   const BSplineCurve curve = spline_of(in_scene<BSplineCurveObject>(scene));
-  std::array<double, 2> found{};
-  for (std::size_t side = 0; side < 2; ++side) {
-    std::array<Eigen::Vector3d, 3> c;
-    curve.evaluate(side == 0 ? just_before(t) : t, c);
-    found[side] = curvature(c);
-  }
-  return found;
+  std::array<Eigen::Vector3d, 3> before, behind;
+  curve.evaluate(just_before(t), before);
+  curve.evaluate(t, behind);
+  return {measure(before), measure(behind)};
 }
-std::array<double, 2> speeds_at(const std::string& scene, double t) {
-  const BSplineCurve curve = spline_of(in_scene<BSplineCurveObject>(scene));
-  std::array<double, 2> found{};
-  for (std::size_t side = 0; side < 2; ++side) {
-    std::array<Eigen::Vector3d, 2> c;
-    curve.evaluate(side == 0 ? just_before(t) : t, c);
-    found[side] = speed(c);
-  }
-  return found;
-}
+std::array<double, 2> curvatures_at(const std::string& scene, double t) { return both_sides(scene, t, curvature); }
+std::array<double, 2> speeds_at(const std::string& scene, double t) { return both_sides(scene, t, speed); }
 
 /// K of the torus of the figure, where its second parameter is v.
 double torus_curvature(double v) {

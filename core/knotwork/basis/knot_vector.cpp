@@ -139,6 +139,14 @@ int KnotVector::span(double t, int hint) const {
   return span(t);
 }
 
+std::vector<Interval> knot_intervals(const KnotVector& knots) {
+  std::vector<Interval> intervals;
+  intervals.reserve(static_cast<std::size_t>(knots.interval_count()));
+  for (int i = knots.degree(); i <= knots.last_span(); ++i)
+    if (knots[i] < knots[i + 1]) intervals.push_back({knots[i], knots[i + 1]});
+  return intervals;
+}
+
 double translation_and_scaling(const KnotVector& knots, int d, int i, double t) {
   const double width = knots[i + d] - knots[i];
   return width > 0 ? (t - knots[i]) / width : 0.0;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "knotwork/basis/interval.h"
 #include "knotwork/result.h"
 
 namespace knotwork {
@@ -74,6 +75,9 @@ class KnotVector {
   int count_;
   std::vector<double> knots_;
 };
+
+/// The knot intervals of the domain that are not empty, in their order.
+std::vector<Interval> knot_intervals(const KnotVector& knots);
 
 /// w_{d,i}(t) = (t - t_i) / (t_{i+d} - t_i), and 0 where t_{i+d} = t_i. Source: THEORY 2.1.
 double translation_and_scaling(const KnotVector& knots, int d, int i, double t);

@@ -5,16 +5,12 @@
 #include <cassert>
 #include <cmath>
 
+#include "knotwork/curve/curve_measures.h"
+
 namespace knotwork {
 namespace {
 
 using Side = std::array<Eigen::Vector3d, 4>;
-
-/// The curvature vector kappa N = (c'' across c') / |c'|^2.
-Eigen::Vector3d curvature_vector(const Side& c) {
-  const double speed2 = c[1].squaredNorm();
-  return (c[2] - c[2].dot(c[1]) / speed2 * c[1]) / speed2;
-}
 
 }  // namespace
 

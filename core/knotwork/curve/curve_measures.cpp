@@ -72,6 +72,12 @@ double curvature(std::span<const Eigen::Vector3d> c) {
   return unit.regular ? unit.bend : 0;
 }
 
+Eigen::Vector3d curvature_vector(std::span<const Eigen::Vector3d> c) {
+  if (!has_speed(c)) return Eigen::Vector3d::Zero();
+  const double speed2 = c[1].squaredNorm();
+  return (c[2] - c[2].dot(c[1]) / speed2 * c[1]) / speed2;
+}
+
 double signed_curvature(std::span<const Eigen::Vector3d> c, const Eigen::Vector3d& plane_normal) {
   const UnitSpeed unit = unit_speed(c.first(3));
   return unit.regular ? unit.across.dot(plane_normal) : 0;

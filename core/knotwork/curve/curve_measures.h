@@ -26,6 +26,10 @@ double speed(std::span<const Eigen::Vector3d> c);
 /// |c' x c''| / |c'|^3 >= 0, 1 / length. Needs c''.
 double curvature(std::span<const Eigen::Vector3d> c);
 
+/// The curvature vector kappa N = (c'' across c') / |c'|^2, 1 / length: towards the centre of curvature, as long as the
+/// curvature; 0 where there is no speed. Needs c''.
+Eigen::Vector3d curvature_vector(std::span<const Eigen::Vector3d> c);
+
 /// The curvature of a plane curve, positive where it turns left as seen from the tip of the plane's unit normal:
 /// (c' x c'') . n / |c'|^3; of any other curve, that of its shadow along n were its speed kept. Needs c''.
 double signed_curvature(std::span<const Eigen::Vector3d> c, const Eigen::Vector3d& plane_normal);

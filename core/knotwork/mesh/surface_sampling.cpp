@@ -75,14 +75,6 @@ SampleGrid parted_at_knots(SampleGrid grid, const KnotVector& knots_u, const Kno
   return grid;
 }
 
-std::vector<Interval> knot_intervals(const KnotVector& knots) {
-  std::vector<Interval> intervals;
-  intervals.reserve(static_cast<std::size_t>(knots.interval_count()));
-  for (int i = knots.degree(); i <= knots.last_span(); ++i)
-    if (knots[i] < knots[i + 1]) intervals.push_back({knots[i], knots[i + 1]});
-  return intervals;
-}
-
 std::vector<std::uint32_t> grid_indices(int columns, int rows, bool wrap_u, bool wrap_v) {
   return grid_indices(columns, rows, GridWrap{wrap_u}, GridWrap{wrap_v});
 }

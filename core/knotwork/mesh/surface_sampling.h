@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "knotwork/basis/interval.h"
 #include "knotwork/later.h"
 #include "knotwork/mesh/mesh_data.h"
 #include "knotwork/surface/blending_surface.h"
@@ -28,9 +27,6 @@ struct SampleGrid {
   int columns() const { return static_cast<int>(u.size()); }
   int rows() const { return static_cast<int>(v.size()); }
 };
-
-/// The knot intervals that are not empty, in their order.
-std::vector<Interval> knot_intervals(const KnotVector& knots);
 
 /// How many steps each knot interval is cut into, at least 1. Empty intervals do not count.
 struct GridSteps {

@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "knotwork/curve/parametric_curve.h"
-#include "knotwork/mesh/surface_sampling.h"
 #include "knotwork/surface/surface_measures.h"
 
 namespace knotwork {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "knotwork/curve/curve_measures.h"
+#include "knotwork/curve/vector_length.h"
 
 namespace knotwork {
 namespace {
@@ -24,7 +25,7 @@ struct UnitJet {
 };
 
 UnitJet unit_jet(const SurfaceJet& jet) {
-  const double lu = jet.su.stableNorm(), lv = jet.sv.stableNorm();
+  const double lu = vector_length(jet.su), lv = vector_length(jet.sv);
   const bool has_u = lu > least_length, has_v = lv > least_length;
   const double a = has_u ? lu : 1, b = has_v ? lv : 1;
   UnitJet unit{has_u ? Eigen::Vector3d(jet.su / a) : Eigen::Vector3d::Zero(),
@@ -41,7 +42,7 @@ UnitJet unit_jet(const SurfaceJet& jet) {
 
 /// Unit vector along x, or zero where x is negligible against `scale`.
 Eigen::Vector3d direction(const Eigen::Vector3d& x, double scale) {
-  const double length = x.stableNorm();
+  const double length = vector_length(x);
   return length > least_length && length > least_sine * scale ? Eigen::Vector3d(x / length) : Eigen::Vector3d::Zero();
 }
 
@@ -54,8 +55,8 @@ Eigen::Vector3d unit_normal(const SurfaceJet& jet) {
   // S_u x S_v = h N' + O(h^2) along a direction of growing u or v; the larger N' decides.
   const Eigen::Vector3d along_u = j.suu.cross(j.sv) + j.su.cross(j.suv);
   const Eigen::Vector3d along_v = j.suv.cross(j.sv) + j.su.cross(j.svv);
-  const double size = std::max({j.suu.stableNorm(), j.suv.stableNorm(), j.svv.stableNorm()});
-  const bool prefer_u = along_u.stableNorm() >= along_v.stableNorm();
+  const double size = std::max({vector_length(j.suu), vector_length(j.suv), vector_length(j.svv)});
+  const bool prefer_u = vector_length(along_u) >= vector_length(along_v);
   if (Eigen::Vector3d n = direction(prefer_u ? along_u : along_v, size); !n.isZero(0)) return n;
 
   // Both first-order terms vanish: second order along u, along v, along the diagonal.
