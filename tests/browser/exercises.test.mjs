@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { PNG } from 'pngjs';
 import { pageTest } from './page_test.mjs';
 import {
-  call, clickWidget, distance, documentOf, fingers, frameDrawn, handleAt, minus, parameter, plus, projection, scrollTo,
-  settled, shownFigure, times, unit, until, widget,
+  call, clickWidget, distance, documentOf, fingers, frameDrawn, frontHandle, handleAt, minus, parameter, plus,
+  projection, scrollTo, settled, shownFigure, times, unit, until, widget,
 } from './stage.mjs';
 
 const reading = { followed: true, full: true, size: [1200, 800], scale: 0.5 };
@@ -172,6 +172,17 @@ const solutions = {
     solve: async (page) => {
       await bring(page, 'point-1', [-1.67, 0, 0]);
       await bring(page, 'point-2', [1.67, 0, 0]);
+    },
+  },
+  'one-of-them': {
+    wrong: async (page) => press(page, 'topology.v: open'),
+    solve: async (page, id) => pull(page, id, (await frontHandle(page)).id, [0, -60]),
+  },
+  'flat-sheet': {
+    wrong: async (page) => press(page, 'topology.v: open'),
+    solve: async (page) => {
+      await press(page, 'topology.u: open');
+      await press(page, 'topology.v: open');
     },
   },
   'dented-arch': {
@@ -350,7 +361,7 @@ async function startAgain(page, id, start) {
 
 /// The chapters that have exercises.
 const chapters = [
-  'bezier-curves', 'bsplines', 'fitting', 'subdivision-curves', 'blending-functions', 'blending-splines',
+  'hold-it', 'bezier-curves', 'bsplines', 'fitting', 'subdivision-curves', 'blending-functions', 'blending-splines',
   'tensor-surfaces', 'blending-surface', 'quality', 'in-code',
 ];
 
