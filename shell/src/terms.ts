@@ -20,6 +20,9 @@ const members: Readonly<Record<string, HeldKind>> = {
 /// To write down longer lists at every press would keep the hand waiting.
 const mostPoints = 1000;
 
+/// A hand that has changed nothing in so many frames drags something else: a slider of the panel, say.
+const mostLooks = 12;
+
 export function heldKind(before: Shape, now: Shape): HeldKind | null {
   const differs = (name: string): boolean => JSON.stringify(before[name]) !== JSON.stringify(now[name]);
   const name = Object.keys(members).find(differs);
@@ -34,6 +37,7 @@ export function listenToHolds(canvas: HTMLCanvasElement, bridge: Bridge, chapter
   let camera = '';
   let lit: HTMLElement | null = null;
   let asked = 0;
+  let looks = 0;
   const stage = (): [shape: Shape, camera: string] => {
     const { objects, camera: view } = bridge.document();
     return [(objects as Shape[])[0]!, JSON.stringify(view)];
@@ -45,7 +49,7 @@ export function listenToHolds(canvas: HTMLCanvasElement, bridge: Bridge, chapter
     const kind = heldKind(before, now);
     lit = kind ? chapter() : null;
     if (kind && lit) lit.dataset['inHand'] = kind;
-    if (kind || view !== camera) before = null;  // who turns the view holds nothing
+    if (kind || view !== camera || ++looks === mostLooks) before = null;  // who turns the view holds nothing
   };
   const letGo = (): void => {
     before = null;
@@ -56,6 +60,7 @@ export function listenToHolds(canvas: HTMLCanvasElement, bridge: Bridge, chapter
     letGo();
     if (event.button !== 0 || !event.isPrimary || !chapter() || (bridge.state().points ?? 0) > mostPoints) return;
     [before, camera] = stage();
+    looks = 0;
   });
   canvas.addEventListener('pointermove', () => {
     if (before && asked === 0) asked = requestAnimationFrame(look);

@@ -84,3 +84,13 @@ test('a hand that lets go before the frame leaves no light', () => {
   frame();
   assert.equal(lit(), null);
 });
+
+test('who drags something that changes nothing is not asked about for ever', () => {
+  const { asked, lit, send, frame } = stage();
+  send('pointerdown');
+  for (let k = 0; k < 40; ++k) {
+    send('pointermove');
+    frame();
+  }
+  assert.deepEqual([asked(), lit()], [13, null]);
+});
