@@ -407,6 +407,13 @@ bool App::looks_deeper() const {
   return document_.display.shading != scene::Shading::lit && surface_of(*geometry_.figure).has_value();
 }
 
+/// Its legend has its place from the first frame on: the picture is composed beside it.
+std::optional<SurfaceQuality> App::quality_shown() const {
+  if (!looks_deeper()) return std::nullopt;
+  const bool known = geometry_.quality && geometry_.quality->shading == document_.display.shading;
+  return known ? *geometry_.quality : SurfaceQuality{.shading = document_.display.shading};
+}
+
 /// Curvature for the colours, and how smooth the surface is at its knot lines. While something moves, looking takes a
 /// fifth of the time at most: on a fine grid the colours follow a little later.
 void App::look_into_surface() {
@@ -421,7 +428,7 @@ void App::look_into_surface() {
     }
   }
   const KnottedSurface surface = *surface_of(*geometry_.figure);
-  SurfaceQuality quality{.shading = shading};
+  SurfaceQuality quality{.shading = shading, .known = true};
   if (shading == scene::Shading::gaussian || shading == scene::Shading::mean) {
     const auto kind = shading == scene::Shading::mean ? CurvatureKind::mean : CurvatureKind::gaussian;
     const CurvatureField field = curvature_field(surface, chosen_grid(), kind);
@@ -731,7 +738,7 @@ void App::run_interface(double seconds) {
                .reduced_motion = reduced_motion_,
                .labels = stage_labels(),
                .notice = notice_,
-               .quality = looks_deeper() ? geometry_.quality : std::nullopt},
+               .quality = quality_shown()},
               panel_output_);
   ImGui::Render();
 
@@ -744,9 +751,12 @@ void App::run_interface(double seconds) {
     apply_outcome(web::key(interaction_, stage(nowhere), {true, name, {}}));
   if (panel_output_.frame_all) frame_all();
   if (panel_output_.wants_frame) request_frames(2);
-  if (panel_state_.drawer_open != drawer_was_open_ || panel_state_.show_more != fold_was_open_) {
+  const bool legend = looks_deeper();
+  if (panel_state_.drawer_open != drawer_was_open_ || panel_state_.show_more != fold_was_open_ ||
+      legend != legend_was_there_) {
     drawer_was_open_ = panel_state_.drawer_open;
     fold_was_open_ = panel_state_.show_more;
+    legend_was_there_ = legend;
     recompose_ = true;
   }
   if (recompose_ && !panel_output_.wants_frame) place_picture();  // the panel stands where it will stay

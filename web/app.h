@@ -141,6 +141,7 @@ class App {
   bool choose_grid(int samples_u, int samples_v);
   SampleGrid chosen_grid() const { return grid_.grid(*geometry_.figure, geometry_.parted); }
   bool looks_deeper() const;
+  std::optional<SurfaceQuality> quality_shown() const;
   KNOTWORK_LAST void look_into_surface();
   void run_interface(double seconds);
   void draw();
@@ -202,7 +203,7 @@ class App {
   bool camera_is_ours_ = true;  ///< composed by the program; false once the reader has moved it
   bool recompose_ = false;
   bool compose_at_once_ = false;  ///< another figure has come: the camera does not travel to it
-  bool drawer_was_open_ = false, fold_was_open_ = false;
+  bool drawer_was_open_ = false, fold_was_open_ = false, legend_was_there_ = false;
   Floor floor_;
   double floor_target_ = -1;
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -24,9 +26,12 @@ constexpr double largest_circle = 2;  // of the curve's size
 constexpr int places_of_piece = 48;
 constexpr double hodograph_share = 0.8;   // of the curve's size, that the hodograph may have
 constexpr double hodograph_margin = 0.1;  // of the curve's size, between both
+constexpr double stage_aspect = 1.5;      // of what is free of it
 constexpr std::size_t most_joint_labels = 24;
-constexpr double joint_label_distance = 17, scale_label_distance = 26;  // CSS pixels
-constexpr glm::dvec2 label_room{32, 15};                                // of "C⁰ G²" beside another name
+// CSS pixels, in the order in which places are tried.
+constexpr std::array<double, 4> joint_label_distances{17, 40, -17, -40};
+constexpr std::array<double, 3> scale_label_distances{26, -26, 44};
+constexpr glm::dvec2 label_room{44, 15};  // CSS pixels that "C⁰ G²" or "c′ ÷ 20" keeps to the middle of another name
 
 /// The curve of a figure, which must outlive it; of data the fitted one, of a polygon its limit. Nothing of a surface.
 std::optional<CurveView> curve_of(const Figure& figure) {
@@ -58,13 +63,16 @@ struct Box {
 
 const Colour& velocity_hue(const Theme& theme) { return theme.local[1]; }
 
-/// Beside the curve where that is taller than it is wide, else below it; of a curve in space below it as well.
+/// Beside the curve or below it, where both together fill a stage better; of a curve in space below it.
 glm::dvec3 origin_beside(const Box& curve, const Box& drawn) {
   const glm::dvec3 extent = curve.extent();
   const double margin = hodograph_margin * glm::length(extent);
   const bool flat = extent.z + drawn.extent().z < 1e-9 * glm::length(extent);
   glm::dvec3 origin = 0.5 * (curve.low + curve.high) - 0.5 * (drawn.low + drawn.high);
-  if (flat && extent.y > extent.x)
+  const glm::dvec2 beside(extent.x + margin + drawn.extent().x, std::max(extent.y, drawn.extent().y));
+  const glm::dvec2 below(std::max(extent.x, drawn.extent().x), extent.y + margin + drawn.extent().y);
+  const auto needed = [](const glm::dvec2& room) { return std::max(room.x / stage_aspect, room.y); };
+  if (flat && needed(beside) < needed(below))
     origin.x = curve.high.x + margin - drawn.low.x;
   else if (flat)
     origin.y = curve.low.y - margin - drawn.high.y;
@@ -157,6 +165,21 @@ void add_circle_at_parameter(Picture& picture, const scene::CurveFigure& figure)
                         to_glm(frame.normal), size);
 }
 
+/// At the first of some distances along a way from where the label is that no other name is near; else at the last.
+void add_where_free(std::vector<StageLabel>& labels, StageLabel label, const glm::dvec2& way,
+                    std::span<const double> distances) {
+  const glm::dvec2 from = label.place;
+  for (const double distance : distances) {
+    label.place = from + distance * way;
+    const bool free = std::none_of(labels.begin(), labels.end(), [&](const StageLabel& other) {
+      return std::abs(other.place.x - label.place.x) < label_room.x &&
+             std::abs(other.place.y - label.place.y) < label_room.y;
+    });
+    if (free) break;
+  }
+  labels.push_back(std::move(label));
+}
+
 }  // namespace
 
 bool wants_tools(const scene::Display& display) {
@@ -213,7 +236,7 @@ void add_tool_labels(std::vector<StageLabel>& labels, const Figure& figure, cons
     const auto screen = view.project(tools.hodograph.origin);
     const std::string words = tools.hodograph.scale == 1 ? "c′" : "c′ ÷ " + text_of("%.3g", 1 / tools.hodograph.scale);
     if (screen)
-      labels.push_back({words, glm::dvec2(*screen) + glm::dvec2(0, scale_label_distance), velocity_hue(theme)});
+      add_where_free(labels, {words, glm::dvec2(*screen), velocity_hue(theme)}, {0, 1}, scale_label_distances);
   }
   if (!display.continuity || tools.joints.size() > most_joint_labels) return;
   for (const Continuity& joint : tools.joints) {
@@ -229,16 +252,7 @@ void add_tool_labels(std::vector<StageLabel>& labels, const Figure& figure, cons
     const glm::dvec2 way = glm::dvec2(*inside) - glm::dvec2(*screen);
     const double length = glm::length(way);
     const glm::dvec2 side = length > 1 ? way / length : glm::dvec2(0, 1);
-    // Where another name stands there, farther away, or on the other side.
-    const auto stands_free = [&](const glm::dvec2& place) {
-      return std::none_of(labels.begin(), labels.end(), [&](const StageLabel& other) {
-        return std::abs(other.place.x - place.x) < label_room.x && std::abs(other.place.y - place.y) < label_room.y;
-      });
-    };
-    glm::dvec2 place = glm::dvec2(*screen) + joint_label_distance * side;
-    for (const double distance : {2 * joint_label_distance, -joint_label_distance, -2 * joint_label_distance})
-      if (!stands_free(place)) place = glm::dvec2(*screen) + distance * side;
-    labels.push_back({continuity_text(joint), place, theme.accent});
+    add_where_free(labels, {continuity_text(joint), glm::dvec2(*screen), theme.accent}, side, joint_label_distances);
   }
 }
 

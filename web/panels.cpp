@@ -668,11 +668,14 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
       list.AddLine({x, top}, {x, top + (k % 4 == 0 ? 12.0F : 9.0F)}, colour(theme.ink, 0.35F));
     }
     const std::string end = text_of("%.3g", quality.scale);
-    text(frame.ui, Face::small, {left, top + 19}, colour(theme.ink), "−" + end);
+    if (quality.known) {
+      text(frame.ui, Face::small, {left, top + 19}, colour(theme.ink), "−" + end);
+      text(frame.ui, Face::small, {left + width, top + 19}, colour(theme.ink), end, Align::right);
+    }
     text(frame.ui, Face::small, {left + width / 2, top + 19}, colour(theme.ink), "0", Align::centre);
-    text(frame.ui, Face::small, {left + width, top + 19}, colour(theme.ink), end, Align::right);
     y = top + 36;
   }
+  if (!quality.known) return ImGui::End();
   const SurfaceJoints& joints = quality.joints;
   const double degrees = joints.kink * 180 / std::numbers::pi;
   text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),

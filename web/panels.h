@@ -45,8 +45,9 @@ struct Probe {
 /// What the shading of a surface says in numbers.
 struct SurfaceQuality {
   scene::Shading shading = scene::Shading::lit;
-  double scale = 1;  ///< where the colours of a curvature end
-  double size = 1;   ///< of the surface: its box's diagonal
+  bool known = false;  ///< the numbers below; until then they are looked for
+  double scale = 1;    ///< where the colours of a curvature end
+  double size = 1;     ///< of the surface: its box's diagonal
   SurfaceJoints joints;
 };
 

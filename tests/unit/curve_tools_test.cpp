@@ -96,9 +96,10 @@ TEST_CASE("the hodograph is the derivative, scaled by a round number and laid be
   REQUIRE(torn.size() == 2);
   CHECK(glm::distance(torn[0], glm::dvec3(3, 0, 0)) < 1e-5);
   CHECK(glm::distance(torn[1], glm::dvec3(4.5, 0, 0)) < 1e-5);
-  double lowest = 1e9;
-  for (const glm::dvec3& point : outline(figure)) lowest = std::min(lowest, point.y);
-  for (const Hodograph::Place& place : hodograph.places) CHECK(place.at.y < lowest);
+  // Below the curve both would be taller than they are wide.
+  double rightmost = -1e9;
+  for (const glm::dvec3& point : outline(figure)) rightmost = std::max(rightmost, point.x);
+  for (const Hodograph::Place& place : hodograph.places) CHECK(place.at.x > rightmost);
   CHECK(tools.tips.size() == hodograph.places.size() + 1);
 
   Picture picture;
