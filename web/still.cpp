@@ -114,7 +114,7 @@ struct Painter {
 
   std::string facet(const Facet& facet) const {
     glm::dvec2 middle(0);
-    for (const glm::dvec2& corner : facet.corners) middle += 0.25 * corner;
+    for (const glm::dvec2& corner : facet.corners) middle += corner / static_cast<double>(facet.corners.size());
     std::string path;
     glm::dvec2 last(0);
     for (const glm::dvec2& corner : facet.corners) {
@@ -278,7 +278,16 @@ std::string surface(Painter& painter, const Subject& subject, const StillSize& s
 
 }  // namespace
 
-std::string still(const scene::Document& document, const StillSize& size) {
+std::string still(const scene::Document& document, const StillSize& wanted) {
+  // Stripes are finer than hues, and their edges are sharp.
+  const bool striped =
+      document.display.shading == scene::Shading::zebra || document.display.shading == scene::Shading::isophotes;
+  StillSize size = wanted;
+  if (striped) {
+    size.pieces_u *= 2;
+    size.pieces_v *= 2;
+  }
+  const double evening_out = striped ? 0.12 : 0.4;  // share of a piece
   const scene::Shape& shape = scene::stage_shape(document);
   Figure figure = make_figure(shape, document.animation);
   std::vector<glm::dvec3> points = outline(figure);
@@ -326,7 +335,7 @@ std::string still(const scene::Document& document, const StillSize& size) {
          painter.inks.style() +
          "</style><filter id=\"b\" x=\"-50%\" y=\"-100%\" width=\"200%\" height=\"300%\">"
          "<feGaussianBlur stdDeviation=\"26\"/></filter><filter id=\"e\"><feGaussianBlur stdDeviation=\"" +
-         number(0.4 * grain * size.width / size.pieces_u) +
+         number(evening_out * grain * size.width / size.pieces_u) +
          "\"/>"
          "<feComponentTransfer><feFuncA type=\"linear\" slope=\"9\"/></feComponentTransfer>"
          "<feComposite operator=\"in\" in2=\"SourceAlpha\"/></filter>" +

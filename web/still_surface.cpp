@@ -1,15 +1,18 @@
 #include "web/still_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "knotwork/basis/bspline_basis.h"
+#include "knotwork/curve/parametric_curve.h"
 #include "knotwork/mesh/curvature_field.h"
 #include "knotwork/mesh/surface_sampling.h"
 #include "knotwork/scene/palette.h"
@@ -128,7 +131,7 @@ struct Corner {
 
 bool goes_round(const KnottedSurface& surface) { return surface.knots_u->closed() && surface.knots_v->closed(); }
 
-/// The colour of a place for a shading that is not the light alone, OKLab.
+/// What a shading that is not the light alone makes of a place's hue (OKLab).
 class QualityHue {
  public:
   QualityHue(const KnottedSurface& surface, const SampleGrid& grid, scene::Shading shading) : shading_(shading) {
@@ -137,31 +140,25 @@ class QualityHue {
     scale_ = curvature_field(surface, grid, kind).scale;
   }
 
-  /// `hue` is what the place has in the light alone.
-  glm::dvec3 at(const SurfaceJet& jet, glm::dvec3 hue, glm::dvec3 normal, glm::dvec3 to_eye) const {
-    switch (shading_) {
-      case scene::Shading::zebra: {
-        // As lamp() in shaders/surface.frag.
-        const glm::dvec3 mirrored = glm::reflect(-to_eye, normal);
-        const bool lamp = std::cos(14 * std::atan2(mirrored.y, mirrored.z)) > 0;
-        return lamp ? glm::dvec3(0.97, 0.35 * hue.y, 0.35 * hue.z) : glm::dvec3(0.30, 0.2 * hue.y, 0.2 * hue.z);
-      }
-      case scene::Shading::isophotes: {
-        // Bands instead of lines, which pieces are too coarse for.
-        const double angle = std::acos(std::clamp(unit_normal(jet).z(), -1.0, 1.0));
-        const bool odd = static_cast<int>(angle * 18 / std::numbers::pi) % 2 != 0;
-        return odd ? glm::dvec3(0.84 * hue.x, hue.y, hue.z) : hue;
-      }
-      case scene::Shading::gaussian:
-      case scene::Shading::mean: {
-        const SurfaceCurvature curved = curvature(jet);
-        const double value = shading_ == scene::Shading::mean ? curved.mean : curved.gaussian;
-        return CurvatureColours().at(static_cast<float>(value / scale_));
-      }
-      case scene::Shading::lit:
-        break;
-    }
-    return hue;
+  bool striped() const { return shading_ == scene::Shading::zebra || shading_ == scene::Shading::isophotes; }
+
+  /// Positive in one half of the stripes. Lamps as lamp() in shaders/surface.frag; bands of slope instead of its lines.
+  double stripe(glm::dvec3 normal, glm::dvec3 to_eye) const {
+    if (shading_ == scene::Shading::isophotes) return std::sin(18 * std::acos(std::clamp(normal.z, -1.0, 1.0)));
+    const glm::dvec3 mirrored = glm::reflect(-to_eye, normal);
+    return std::cos(14 * std::atan2(mirrored.y, mirrored.z));
+  }
+
+  glm::dvec3 in_stripe(glm::dvec3 hue, bool positive) const {
+    if (shading_ == scene::Shading::isophotes) return positive ? hue : glm::dvec3(0.84 * hue.x, hue.y, hue.z);
+    return positive ? glm::dvec3(0.97, 0.35 * hue.y, 0.35 * hue.z) : glm::dvec3(0.30, 0.2 * hue.y, 0.2 * hue.z);
+  }
+
+  glm::dvec3 of(const SurfaceJet& jet, glm::dvec3 hue) const {
+    if (!curved()) return hue;
+    const SurfaceCurvature bent = curvature(jet);
+    const double value = shading_ == scene::Shading::mean ? bent.mean : bent.gaussian;
+    return CurvatureColours().at(static_cast<float>(value / scale_));
   }
 
  private:
@@ -171,13 +168,28 @@ class QualityHue {
   double scale_ = 1;
 };
 
+/// The part of a piece where values are not negative that are given at its corners and linear between them.
+std::vector<glm::dvec2> positive_part(std::span<const glm::dvec2> corners, std::span<const double> values) {
+  std::vector<glm::dvec2> part;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t next = (k + 1) % corners.size();
+    if (values[k] >= 0) part.push_back(corners[k]);
+    if (values[k] * values[next] < 0)
+      part.push_back(glm::mix(corners[k], corners[next], values[k] / (values[k] - values[next])));
+  }
+  return part;
+}
+
 }  // namespace
 
 SurfacePieces surface_pieces(const Figure& figure, const scene::Document& document, const View& view, int pieces_u,
                              int pieces_v) {
   const std::optional<KnottedSurface> surface = surface_of(figure);
   if (!surface) return {};
-  const SampleGrid grid = sample_grid(*surface->knots_u, *surface->knots_v, pieces_u, pieces_v, Seam::repeated);
+  SampleGrid grid = sample_grid(*surface->knots_u, *surface->knots_v, pieces_u, pieces_v, Seam::repeated);
+  // What jumps at knot lines is what is to be seen.
+  if (document.display.shading != scene::Shading::lit)
+    grid = parted_at_knots(std::move(grid), *surface->knots_u, *surface->knots_v);
   std::vector<SurfaceJet> jets(grid.u.size() * grid.v.size());
   surface->evaluate_grid(grid.u, grid.v, jets);
   std::vector<Corner> corners;
@@ -197,6 +209,9 @@ SurfacePieces surface_pieces(const Figure& figure, const scene::Document& docume
   std::vector<bool> backs;
   for (int a = 0; a + 1 < grid.columns(); ++a) {
     for (int b = 0; b + 1 < grid.rows(); ++b) {
+      const double from_u = grid.u[static_cast<std::size_t>(a)], to_u = grid.u[static_cast<std::size_t>(a) + 1];
+      const double from_v = grid.v[static_cast<std::size_t>(b)], to_v = grid.v[static_cast<std::size_t>(b) + 1];
+      if (from_u >= just_before(to_u) || from_v >= just_before(to_v)) continue;  // between the sides of a knot
       const std::array<const Corner*, 4> round{&corner(a, b), &corner(a + 1, b), &corner(a + 1, b + 1),
                                                &corner(a, b + 1)};
       if (!std::all_of(round.begin(), round.end(), [](const Corner* c) { return c->screen.has_value(); })) continue;
@@ -212,17 +227,31 @@ SurfacePieces surface_pieces(const Figure& figure, const scene::Document& docume
       const glm::dvec3 to_eye = glm::normalize(view.eye - middle);
       const bool back = glm::dot(normal, to_eye) < 0;
       if (back) normal = -normal;
-      const double u = 0.5 * (grid.u[static_cast<std::size_t>(a)] + grid.u[static_cast<std::size_t>(a) + 1]);
-      const double v = 0.5 * (grid.v[static_cast<std::size_t>(b)] + grid.v[static_cast<std::size_t>(b) + 1]);
+      const double u = 0.5 * (from_u + to_u), v = 0.5 * (from_v + to_v);
       const glm::dvec3 hue =
           document.display.patch_colours
               ? scene::visit_first([&](const auto& shown) { return hue_at(shown, document, theme, u, v); }, figure)
               : plain;
-      const glm::dvec3 shown = quality.at(surface->evaluate(u, v), hue, normal, to_eye);
-      Facet facet{{}, glm::dot(middle - view.eye, view.forward), lit(shown, normal, to_eye, back, view)};
-      for (std::size_t k = 0; k < 4; ++k) facet.corners[k] = glm::dvec2(*round[k]->screen);
-      pieces.facets.push_back(facet);
-      backs.push_back(back);
+      std::vector<glm::dvec2> outline;
+      std::array<double, 4> stripes{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        outline.emplace_back(*round[k]->screen);
+        if (quality.striped())
+          stripes[k] = quality.stripe(round[k]->normal, glm::normalize(view.eye - round[k]->point));
+      }
+      const double depth = glm::dot(middle - view.eye, view.forward);
+      const auto add = [&](std::vector<glm::dvec2> part, const glm::dvec3& own) {
+        if (part.size() < 3) return;
+        pieces.facets.push_back({std::move(part), depth, lit(own, normal, to_eye, back, view)});
+        backs.push_back(back);
+      };
+      if (!quality.striped()) {
+        add(std::move(outline), quality.of(surface->evaluate(u, v), hue));
+        continue;
+      }
+      add(positive_part(outline, stripes), quality.in_stripe(hue, true));
+      for (double& value : stripes) value = -value;
+      add(positive_part(outline, stripes), quality.in_stripe(hue, false));
     }
   }
   if (goes_round(*surface) && !pieces.facets.empty()) {

@@ -122,6 +122,39 @@ TEST_CASE("hues are those of the patches: without patch colours the surface is g
   CHECK(chroma() < 0.1F);
 }
 
+TEST_CASE("stripes cut the pieces along their edges, and nothing is lost of them") {
+  scene::Document document = started("blending-surface");
+  REQUIRE(scene::apply(document, scene::SetParameter{"display.colours", false}));
+  const auto pieces = [&] {
+    const Figure figure = make_figure(scene::stage_shape(document), document.animation);
+    return surface_pieces(figure, document, view_of(document, figure), 144, 96).facets;
+  };
+  const auto area = [](const std::vector<Facet>& facets) {
+    double sum = 0;
+    for (const Facet& facet : facets) {
+      double twice = 0;
+      for (std::size_t k = 0; k < facet.corners.size(); ++k) {
+        const glm::dvec2 &a = facet.corners[k], &b = facet.corners[(k + 1) % facet.corners.size()];
+        twice += a.x * b.y - a.y * b.x;
+      }
+      sum += std::abs(twice) / 2;
+    }
+    return sum;
+  };
+  const std::vector<Facet> lit = pieces();
+  for (const std::string_view shading : {"zebra", "isophotes"}) {
+    REQUIRE(scene::apply(document, scene::SetParameter{"display.shading", std::string(shading)}));
+    const std::vector<Facet> striped = pieces();
+    CHECK(striped.size() > 1.2 * static_cast<double>(lit.size()));
+    CHECK(area(striped) == doctest::Approx(area(lit)).epsilon(0.03));
+  }
+  REQUIRE(scene::apply(document, scene::SetParameter{"display.shading", std::string("zebra")}));
+  int light = 0, dark = 0;
+  for (const Facet& facet : pieces()) ++(facet.colour[1] > 0.6F ? light : dark);
+  CHECK(light > 200);
+  CHECK(dark > 200);
+}
+
 TEST_CASE("a coarse picture has fewer bytes") {
   const scene::Document document = started("blending-surface");
   CHECK(still(document, {.pieces_u = 24, .pieces_v = 16}).size() < 0.6 * static_cast<double>(still(document).size()));
