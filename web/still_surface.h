@@ -14,7 +14,7 @@ namespace knotwork::web {
 /// A piece of a surface in a still picture.
 struct Facet {
   std::vector<glm::dvec2> corners;  ///< CSS pixels, in order round the piece
-  double depth;                       ///< of its middle before the eye, along the view, model units
+  double depth;                     ///< of its middle before the eye, along the view, model units
   Colour colour;
 };
 
