@@ -408,10 +408,11 @@ bool App::looks_deeper() const {
 }
 
 /// Its legend has its place from the first frame on: the picture is composed beside it.
-std::optional<SurfaceQuality> App::quality_shown() const {
-  if (!looks_deeper()) return std::nullopt;
-  const bool known = geometry_.quality && geometry_.quality->shading == document_.display.shading;
-  return known ? *geometry_.quality : SurfaceQuality{.shading = document_.display.shading};
+const SurfaceQuality* App::quality_shown() {
+  if (!looks_deeper()) return nullptr;
+  if (geometry_.quality && geometry_.quality->shading == document_.display.shading) return &*geometry_.quality;
+  geometry_.awaited.shading = document_.display.shading;
+  return &geometry_.awaited;
 }
 
 /// Curvature for the colours, and how smooth the surface is at its knot lines. While something moves, looking takes a
@@ -419,10 +420,11 @@ std::optional<SurfaceQuality> App::quality_shown() const {
 void App::look_into_surface() {
   const scene::Shading shading = document_.display.shading;
   const double start = milliseconds();
-  if (geometry_.quality && geometry_.quality->shading == shading) {
+  const bool busy = document_.animation.playing || roll_.active || interaction_.drag != InteractionState::Drag::none;
+  const bool rests = !busy || start - geometry_.looked_at >= 4 * geometry_.looking_took;
+  if (geometry_.quality && geometry_.quality->shading == shading && geometry_.curvature_uploaded) {
     if (!geometry_.quality_stale) return;
-    const bool busy = document_.animation.playing || interaction_.drag != InteractionState::Drag::none;
-    if (busy && start - geometry_.looked_at < 4 * geometry_.looking_took) {
+    if (!rests) {
       request_frames(1);
       return;
     }
@@ -435,15 +437,24 @@ void App::look_into_surface() {
     renderer_.upload_curvature(field.values);
     quality.scale = field.scale;
   }
+  geometry_.curvature_uploaded = true;
+  if (geometry_.quality && !rests) {
+    // New tables needed new colours at once; the lines can wait.
+    geometry_.quality->scale = quality.scale;
+    geometry_.quality->shading = shading;
+    request_frames(1);
+    return;
+  }
   const auto* blending = std::get_if<BlendingFigure>(&*geometry_.figure);
-  quality.joints = surface_joints(surface, 4, blending ? untwisted_seams(blending->surface) : JointSeams());
   glm::dvec3 low(std::numeric_limits<double>::max()), high(-std::numeric_limits<double>::max());
   for (const glm::dvec3& point : outline(surface)) {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
-  quality.size = glm::distance(low, high);
-  geometry_.quality = quality;
+  const JointSeams seams = blending ? untwisted_seams(blending->surface) : JointSeams();
+  find_fault(quality, surface_joints(surface, 4, seams), glm::distance(low, high));
+  quality.words = fault_text(quality);
+  geometry_.quality = std::move(quality);
   geometry_.quality_stale = false;
   geometry_.looked_at = milliseconds();
   geometry_.looking_took = geometry_.looked_at - start;
@@ -467,7 +478,7 @@ bool App::choose_grid(int samples_u, int samples_v) {
                                     .now = now_});
   if (grid_.wants_another_look()) request_frames(1);
   geometry_.tables_uploaded = true;
-  if (chosen) geometry_.quality.reset();
+  if (chosen) geometry_.curvature_uploaded = false;
   return chosen;
 }
 

@@ -122,7 +122,9 @@ class App {
     bool parted = false;  ///< the grid of the tables
     /// What a look into the surface has found for its shading; made anew when either changes.
     std::optional<SurfaceQuality> quality;
+    SurfaceQuality awaited;                  ///< stands for it until then
     bool quality_stale = false;              ///< the surface has moved since
+    bool curvature_uploaded = false;         ///< for the grid of the tables
     double looked_at = 0, looking_took = 0;  ///< milliseconds
   };
 
@@ -141,7 +143,7 @@ class App {
   bool choose_grid(int samples_u, int samples_v);
   SampleGrid chosen_grid() const { return grid_.grid(*geometry_.figure, geometry_.parted); }
   bool looks_deeper() const;
-  std::optional<SurfaceQuality> quality_shown() const;
+  const SurfaceQuality* quality_shown();
   KNOTWORK_LAST void look_into_surface();
   void run_interface(double seconds);
   void draw();

@@ -123,16 +123,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
          frame.ui.touch ? words_tapped : words_pointed);
     y += 18;
   }
-  const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
-    text(frame.ui, face, {left, y}, colour(ink, share), first);
-    text(frame.ui, face, {left + 74, y}, colour(ink, share), second);
-    y += 20;
-  };
-  pair(Face::bold, theme.ink, "u " + text_of("%.3f", point.u), "v " + text_of("%.3f", point.v));
-  const SurfaceCurvature& curved = point.curved;
-  pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
-  pair(Face::regular, theme.ink_soft, "k₁ " + text_of("%.3f", curved.k_max), "k₂ " + text_of("%.3f", curved.k_min));
-  y += 2;
+  y = place_readout(frame, left, y, point.place, share);
 
   // The bar is the partition of unity: its parts are the weights.
   const float width = 148, height = 6;

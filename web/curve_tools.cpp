@@ -152,11 +152,14 @@ void add_hodograph(Picture& picture, const Figure& figure, const CurveTools& too
   }
 }
 
-void add_circle_at_parameter(Picture& picture, const scene::CurveFigure& figure) {
+void add_circle_at_parameter(Picture& picture, const Figure& figure) {
+  const std::optional<CurveView> curve = curve_of(figure);
+  const std::optional<double> t = parameter_of(figure);
+  if (!curve || !t) return;
   std::array<Eigen::Vector3d, 3> c;
-  curve_view(figure.curve).evaluate(figure.t, c);
+  curve->evaluate(*t, c);
   Box box;
-  for (const scene::CurveSample& sample : figure.samples) box.add(to_glm(sample.point));
+  for (const glm::dvec3& point : outline(figure)) box.add(point);
   const double size = glm::length(box.extent());
   const FrenetFrame frame = frenet_frame(c, size > 0 ? 1e-12 / size : 0);
   if (!frame.regular || frame.straight) return;
@@ -205,8 +208,9 @@ CurveTools curve_tools(const Figure& figure, const scene::Display& display) {
 void add_tools(Picture& picture, const Figure& figure, const CurveTools& tools) {
   add_comb(picture, tools.comb);
   add_hodograph(picture, figure, tools);
-  const auto* curve = std::get_if<scene::CurveFigure>(&figure);
-  if (curve && picture.display.osculating) add_circle_at_parameter(picture, *curve);
+  // A model curve has its own, with the frame.
+  if (picture.display.osculating && !std::holds_alternative<scene::ModelCurveFigure>(figure))
+    add_circle_at_parameter(picture, figure);
 }
 
 void add_osculating_circle(Picture& picture, const glm::dvec3& centre, double radius, const glm::dvec3& tangent,

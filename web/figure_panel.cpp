@@ -1,5 +1,7 @@
 #include "web/figure_panel.h"
 
+#include <array>
+
 #include "knotwork/scene/later.h"
 #include "web/blending_curve_panel.h"
 #include "web/blending_panel.h"
@@ -12,14 +14,20 @@
 
 namespace knotwork::web {
 
-float place_readout(Frame& frame, float left, float y, glm::dvec2 place, const SurfaceCurvature& curved) {
+float place_readout(Frame& frame, float left, float y, const SurfacePlace& place, float share) {
   const Theme& theme = frame.input.theme;
   const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
-    text(frame.ui, face, {left, y}, colour(ink), first);
-    text(frame.ui, face, {left + 84, y}, colour(ink), second);
+    text(frame.ui, face, {left, y}, colour(ink, share), first);
+    text(frame.ui, face, {left + 84, y}, colour(ink, share), second);
     y += 20;
   };
-  pair(Face::bold, theme.ink, "u " + text_of("%.3f", place.x), "v " + text_of("%.3f", place.y));
+  pair(Face::bold, theme.ink, "u " + text_of("%.3f", place.u), "v " + text_of("%.3f", place.v));
+  constexpr std::array<std::string_view, 3> axes{"x ", "y ", "z "};
+  for (int axis = 0; axis < 3; ++axis)
+    text(frame.ui, Face::regular, {left + 68 * static_cast<float>(axis), y}, colour(theme.ink_soft, share),
+         std::string(axes[static_cast<std::size_t>(axis)]) + text_of("%.2f", place.point[axis]));
+  y += 20;
+  const SurfaceCurvature& curved = place.curved;
   pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
   pair(Face::regular, theme.ink_soft, "k₁ " + text_of("%.3f", curved.k_max), "k₂ " + text_of("%.3f", curved.k_min));
   return y + 2;

@@ -17,7 +17,8 @@ std::string size_text(const Frame&, const ModelSurfaceFigure& figure) {
 void draw_readout(Frame& frame, float left, float y, const ModelSurfaceFigure& figure) {
   if (!frame.input.pointed) return;
   const glm::dvec2 place = *frame.input.pointed;
-  place_readout(frame, left, y, place, curvature(figure.shown.evaluate(place.x, place.y)));
+  const SurfaceJet jet = figure.shown.evaluate(place.x, place.y);
+  place_readout(frame, left, y, {place.x, place.y, jet.s, curvature(jet)});
 }
 
 }  // namespace knotwork::web

@@ -123,8 +123,8 @@ void draw_readout(Frame& frame, float left, float y, const NetSurfaceFigure& fig
     y += 18;
   }
   const BSplineSurface& surface = figure.shown.surface;
-  y = place_readout(frame, left, y, *frame.input.pointed,
-                    curvature(surface.evaluate(frame.input.pointed->x, frame.input.pointed->y)));
+  const SurfaceJet jet = surface.evaluate(frame.input.pointed->x, frame.input.pointed->y);
+  y = place_readout(frame, left, y, {frame.input.pointed->x, frame.input.pointed->y, jet.s, curvature(jet)});
 
   // The bar is the partition of unity: its parts are the weights of the points at work.
   const auto weights = [](const KnotVector& knots, double t) {

@@ -24,8 +24,7 @@ namespace words {
 constexpr std::string_view controls = "Controls", more = "Display, sampling, motion", display = "Display",
                            undo = "Undo", redo = "Redo", frame = "Show the whole figure", domain = "domain",
                            slopes = "angle to the vertical, every 10°", gaussian = "Gaussian curvature K",
-                           mean = "mean curvature H", kink = "at knots: a kink of ",
-                           bend = "at knots: curvature jumps by ", smooth = "at knots: no jump up to curvature";
+                           mean = "mean curvature H";
 }  // namespace words
 
 // The panel's only list of parameters: which rows are worth their place while the rest is folded away, and which live
@@ -676,12 +675,7 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
     y = top + 36;
   }
   if (!quality.known) return ImGui::End();
-  const SurfaceJoints& joints = quality.joints;
-  const double degrees = joints.kink * 180 / std::numbers::pi;
-  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
-       degrees >= 0.05                      ? Words().add(words::kink).add(text_of("%.1f", degrees)).add("°")
-       : joints.bend * quality.size >= 0.02 ? Words().add(words::bend).add(text_of("%.2g", joints.bend))
-                                            : Words().add(words::smooth));
+  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), quality.words);
   ImGui::End();
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "knotwork/scene/commands.h"
-#include "knotwork/surface/surface_joints.h"
 #include "knotwork/surface/surface_measures.h"
 #include "web/figure.h"
+#include "web/surface_quality.h"
 #include "web/theme.h"
 
 namespace knotwork::web {
@@ -34,21 +34,18 @@ struct KnotDrag {
   float start = 0;          ///< of the pointer, CSS pixels
 };
 
-/// The probe under the pointer: parameters, curvatures and the weights of the four local patches at work.
-struct Probe {
+/// The probe under the pointer: parameters, point and curvatures.
+struct SurfacePlace {
   double u, v;
+  Eigen::Vector3d point;
   SurfaceCurvature curved;
-  std::array<BlendingSurface::Weight, 4> weights;
-  double blend_w_u;  ///< w in [0,1] in the u interval: the dot on the plot of B
 };
 
-/// What the shading of a surface says in numbers.
-struct SurfaceQuality {
-  scene::Shading shading = scene::Shading::lit;
-  bool known = false;  ///< the numbers below; until then they are looked for
-  double scale = 1;    ///< where the colours of a curvature end
-  double size = 1;     ///< of the surface: its box's diagonal
-  SurfaceJoints joints;
+/// Of a blending surface, with the weights of the four local patches at work.
+struct Probe {
+  SurfacePlace place;
+  std::array<BlendingSurface::Weight, 4> weights;
+  double blend_w_u;  ///< w in [0,1] in the u interval: the dot on the plot of B
 };
 
 /// All that the panels show. They change nothing; what the reader asks for comes back as commands.
@@ -64,8 +61,8 @@ struct PanelInput {
   bool can_undo = false, can_redo = false;
   bool reduced_motion = false;  ///< no easing of hover and switches
   std::vector<StageLabel> labels;
-  std::string notice;                     ///< a refusal or hint to show for a moment, may be empty
-  std::optional<SurfaceQuality> quality;  ///< of a surface that is not just lit
+  std::string notice;                       ///< a refusal or hint to show for a moment, may be empty
+  const SurfaceQuality* quality = nullptr;  ///< of a surface that is not just lit
 };
 
 /// State of the panels alone (what is folded, the drawer, what is fading out); one struct, passed by reference.

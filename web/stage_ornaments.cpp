@@ -163,10 +163,10 @@ void add_rings(Picture& picture) {
 }
 
 Probe probe_at(const BlendingSurface& surface, double u, double v) {
-  const SurfaceCurvature curved = curvature(surface.evaluate(u, v));
+  const SurfaceJet jet = surface.evaluate(u, v);
   const int span = surface.knots_u().span(surface.knots_u().reduced(u));
   const double w = translation_and_scaling(surface.knots_u(), 1, span, surface.knots_u().reduced(u));
-  return {u, v, curved, surface.weights(u, v), w};
+  return {{u, v, jet.s, curvature(jet)}, surface.weights(u, v), w};
 }
 
 }  // namespace knotwork::web

@@ -21,6 +21,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   stage_grid.cpp
   stage_ornaments.cpp
   subdivision_ornaments.cpp
+  surface_quality.cpp
   theme.cpp
   words.cpp)
 

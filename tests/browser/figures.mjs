@@ -54,7 +54,7 @@ const browser = await launch();
 for (const [name, options] of screens) {
   for (const dark of [false, true]) {
     const title = `${name}-${dark ? 'dark' : 'light'}`;
-    const { page, close, complaints } = await openPage({ browser, ...options, dark, full: true, followed: true });
+    const { page, close, complaints } = await openPage({ browser, ...options, dark, full: true, smooth: true, followed: true });
     const files = await takeAll(page, title);
     for (const complaint of complaints()) console.error(`${title}: ${complaint}`);
     await close();

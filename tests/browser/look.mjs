@@ -175,7 +175,7 @@ for (const [name, options] of screens) {
     for (const [state, prepare] of Object.entries(states)) {
       const title = `${name}-${dark ? 'dark' : 'light'}-${state}`;
       if (only.length > 0 && !only.every((word) => title.split('-').includes(word))) continue;
-      const { page, close, complaints } = await openPage({ browser, ...options, dark, full: true });
+      const { page, close, complaints } = await openPage({ browser, ...options, dark, full: true, smooth: true });
       await settled(page);
       await prepare(page);
       await settled(page);

@@ -132,10 +132,19 @@ async function openStill(page) {
   await settled(page);
 }
 
-/// Options: followed: the stage goes with the reader instead; full: the page as a reader finds it; drawn: with its surface, but few samples; size [w, h] in CSS pixels;
-/// scale, the device pixel ratio (0.5 unless full or drawn); touch, a phone's context; dark; reducedMotion;
-/// scripts: false without JavaScript; address; browser; wait: false does not wait for the figure; before(page): runs
-/// before the page is opened; expected: patterns of complaints that are provoked.
+/// Drawn in software, smooth edges are half of a frame's time: a stage that is not to be looked at goes without.
+function drawRough() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, attributes) {
+    return getContext.call(this, kind, { ...attributes, antialias: false });
+  };
+}
+
+/// Options: followed: the stage goes with the reader instead; full: the page as a reader finds it; drawn: with its
+/// surface, but few samples; smooth: with smooth edges; size [w, h] in CSS pixels; scale, the device pixel ratio (0.5
+/// unless full or drawn); touch, a phone's context; dark; reducedMotion; scripts: false without JavaScript; address;
+/// browser; wait: false does not wait for the figure; before(page): runs before the page is opened; expected: patterns
+/// of complaints that are provoked.
 export async function openPage(options = {}) {
   const [width, height] = options.size ?? [1040, 560];
   const browser = options.browser ?? (await sharedBrowser());
@@ -154,6 +163,7 @@ export async function openPage(options = {}) {
   const address = options.address ?? (await siteAddress());
   const complaints = [];
   watch(page, new URL(address).origin, complaints);
+  if (!options.smooth) await page.addInitScript(drawRough);
   await options.before?.(page);
   await page.goto(address);
   if (options.wait ?? true) {

@@ -143,6 +143,18 @@ TEST_CASE("the osculating circle has the curve's curvature; one as large as a li
     CHECK(glm::distance(ribbon.start, picture.discs[0].centre) == doctest::Approx(radius).epsilon(1e-5));
   CHECK(glm::distance(glm::dvec3(picture.ribbons[0].start), to_glm(c[0])) < 1e-5);
 
+  scene::Document blending = started("blending-curve");
+  blending.display.osculating = true;
+  const Figure blended = make_figure(scene::stage_shape(blending), blending.animation);
+  const auto& locals = std::get<scene::BlendingCurveFigure>(blended);
+  curve_view(locals.curve).evaluate(locals.t, c);
+  Picture circle;
+  circle.display = blending.display;
+  add_tools(circle, blended, curve_tools(blended, blending.display));
+  REQUIRE(circle.discs.size() == 1);
+  CHECK(glm::distance(glm::dvec3(circle.discs[0].centre), to_glm(c[0])) ==
+        doctest::Approx(1 / curvature(c)).epsilon(1e-5));
+
   Picture straight;
   add_osculating_circle(straight, {0, 0, 0}, 21, {1, 0, 0}, {0, 1, 0}, 10);
   CHECK(straight.ribbons.empty());

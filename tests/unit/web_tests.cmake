@@ -13,5 +13,6 @@ set(KNOTWORK_WEB_TESTS
   unit/patch_drag_test.cpp
   unit/stage_grid_test.cpp
   unit/still_test.cpp
+  unit/surface_quality_test.cpp
   unit/words_test.cpp
 )

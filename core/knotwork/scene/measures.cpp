@@ -279,12 +279,14 @@ Measure seam_gap(const Document& document) {
   });
 }
 
-Measure of_joints(const Document& document, double SurfaceJoints::*member, double unit = 1) {
+Measure of_joints(const Document& document, double SurfaceJoint::*difference, double unit = 1) {
   JointSeams seams;
   if (const auto* blending = std::get_if<BlendingSurfaceObject>(&stage_shape(document)))
     seams = untwisted_seams(build_surface(*blending, document.animation));
   return of_surface(document, [&](const KnottedSurface& surface) -> Measure {
-    return unit * surface_joints(surface, 4, seams).*member;
+    const std::vector<SurfaceJoint> joints = surface_joints(surface, 4, seams);
+    const SurfaceJoint* worst = worst_joint(joints, difference);
+    return worst ? unit * worst->*difference : 0;
   });
 }
 
@@ -366,8 +368,8 @@ std::optional<double> measure(const Document& document, const Document& start, s
   if (name == "model.distance") return model_distance(document);
   if (name == "cells.count") return cells_count(document);
   if (name == "seam.gap") return seam_gap(document);
-  if (name == "joints.kink") return of_joints(document, &SurfaceJoints::kink, 180 / std::numbers::pi);
-  if (name == "joints.bend") return of_joints(document, &SurfaceJoints::bend);
+  if (name == "joints.kink") return of_joints(document, &SurfaceJoint::kink, 180 / std::numbers::pi);
+  if (name == "joints.bend") return of_joints(document, &SurfaceJoint::bend);
   if (name == "curve.length") return curve_length(document);
   if (name == "curve.inflections") return curve_inflections(document);
   if (name == "hodograph.gap") return hodograph_gap(document);

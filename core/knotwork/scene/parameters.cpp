@@ -771,7 +771,7 @@ std::vector<Parameter> make_table() {
           toggle<&Display::construction>("display.construction", "construction", "Show")),
       about<Bezier, BSpline, Fitted, Subdivision, Model, Blending>(
           toggle<&Display::comb>("display.comb", "curvature comb", "Show")),
-      about<Bezier, BSpline>(toggle<&Display::osculating>("display.osculating", "osculating circle", "Show")),
+      about<Bezier, BSpline, Blending>(toggle<&Display::osculating>("display.osculating", "osculating circle", "Show")),
       about<Bezier, BSpline, Fitted, Model, Blending>(
           toggle<&Display::hodograph>("display.hodograph", "hodograph", "Show")),
       about<BSpline, Fitted, Blending>(toggle<&Display::continuity>("display.continuity", "continuity", "Show")),

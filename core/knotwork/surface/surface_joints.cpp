@@ -42,30 +42,40 @@ double bend_across(const SurfaceJet& jet, bool u) {
   return metric > 0 ? (e - 2 * r * forms.f + r * r * g) / metric : 0;
 }
 
-void look(SurfaceJoints& joints, const SurfaceJet& before, const SurfaceJet& behind, bool u) {
-  joints.gap = std::max(joints.gap, (before.s - behind.s).norm());
+void look(SurfaceJoint& joint, const SurfaceJet& before, const SurfaceJet& behind) {
+  joint.gap = std::max(joint.gap, (before.s - behind.s).norm());
   if (!curvature(before).regular || !curvature(behind).regular) return;  // a pole has no tangent plane
   const Eigen::Vector3d a = unit_normal(before), b = unit_normal(behind);
-  joints.kink = std::max(joints.kink, std::atan2(a.cross(b).norm(), a.dot(b)));
-  joints.bend = std::max(joints.bend, std::abs(bend_across(before, u) - bend_across(behind, u)));
+  joint.kink = std::max(joint.kink, std::atan2(a.cross(b).norm(), a.dot(b)));
+  const bool u = joint.along_v;
+  joint.bend = std::max(joint.bend, std::abs(bend_across(before, u) - bend_across(behind, u)));
 }
 
 }  // namespace
 
-SurfaceJoints surface_joints(const KnottedSurface& surface, int places, JointSeams seams) {
-  SurfaceJoints joints;
+std::vector<SurfaceJoint> surface_joints(const KnottedSurface& surface, int places, JointSeams seams) {
+  std::vector<SurfaceJoint> found;
   const std::vector<double> along_u = places_between(*surface.knots_u, places);
   const std::vector<double> along_v = places_between(*surface.knots_v, places);
   std::vector<SurfaceJet> jets(2 * std::max(along_u.size(), along_v.size()));
   for (const Sides& sides : joints_along(*surface.knots_u, seams.u)) {
     surface.evaluate_grid(sides, along_v, std::span(jets).first(2 * along_v.size()));
-    for (std::size_t k = 0; k < along_v.size(); ++k) look(joints, jets[k], jets[along_v.size() + k], true);
+    SurfaceJoint& joint = found.emplace_back(SurfaceJoint{.along_v = true, .parameter = sides[1]});
+    for (std::size_t k = 0; k < along_v.size(); ++k) look(joint, jets[k], jets[along_v.size() + k]);
   }
   for (const Sides& sides : joints_along(*surface.knots_v, seams.v)) {
     surface.evaluate_grid(along_u, sides, std::span(jets).first(2 * along_u.size()));
-    for (std::size_t k = 0; k < along_u.size(); ++k) look(joints, jets[2 * k], jets[2 * k + 1], false);
+    SurfaceJoint& joint = found.emplace_back(SurfaceJoint{.along_v = false, .parameter = sides[1]});
+    for (std::size_t k = 0; k < along_u.size(); ++k) look(joint, jets[2 * k], jets[2 * k + 1]);
   }
-  return joints;
+  return found;
+}
+
+const SurfaceJoint* worst_joint(const std::vector<SurfaceJoint>& joints, double SurfaceJoint::*difference) {
+  const auto worst = std::max_element(joints.begin(), joints.end(), [&](const SurfaceJoint& a, const SurfaceJoint& b) {
+    return a.*difference < b.*difference;
+  });
+  return worst == joints.end() ? nullptr : &*worst;
 }
 
 }  // namespace knotwork
