@@ -123,7 +123,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
          frame.ui.touch ? words_tapped : words_pointed);
     y += 18;
   }
-  y = place_readout(frame, left, y, point.place, share);
+  y = place_readout(frame, left, y, point.place, 34, share);
 
   // The bar is the partition of unity: its parts are the weights.
   const float width = 148, height = 6;

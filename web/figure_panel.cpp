@@ -14,8 +14,11 @@
 
 namespace knotwork::web {
 
-float place_readout(Frame& frame, float left, float y, const SurfacePlace& place, float share) {
+float place_readout(Frame& frame, float left, float y, const SurfacePlace& place, float below, float share) {
   const Theme& theme = frame.input.theme;
+  if (frame.ui.touch)
+    ImGui::GetWindowDrawList()->AddRectFilled({left - 8, y - 14}, {left + 208, y + 4 * 20 - 6 + below},
+                                              colour(theme.stage, 0.86F * share), 8);
   const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
     text(frame.ui, face, {left, y}, colour(ink, share), first);
     text(frame.ui, face, {left + 84, y}, colour(ink, share), second);

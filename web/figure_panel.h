@@ -22,8 +22,8 @@ struct Tool {
 using Tools = Few<Tool, 4>;
 
 /// A place of a surface by its parameters, where it is and how the surface is curved there, four lines in an ink's share;
-/// the next line's middle.
-float place_readout(Frame& frame, float left, float y, const SurfacePlace& place, float share = 1);
+/// the next line's middle. On a phone all stands over the figure: then on a plate with room for `below` CSS pixels more.
+float place_readout(Frame& frame, float left, float y, const SurfacePlace& place, float below, float share = 1);
 
 // What the panel shows of the figure on the stage. Each kind of figure has functions of these names with the figure as
 // one more argument, in its own <kind>_panel.h.

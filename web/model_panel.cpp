@@ -18,7 +18,7 @@ void draw_readout(Frame& frame, float left, float y, const ModelSurfaceFigure& f
   if (!frame.input.pointed) return;
   const glm::dvec2 place = *frame.input.pointed;
   const SurfaceJet jet = figure.shown.evaluate(place.x, place.y);
-  place_readout(frame, left, y, {place.x, place.y, jet.s, curvature(jet)});
+  place_readout(frame, left, y, {place.x, place.y, jet.s, curvature(jet)}, 0);
 }
 
 }  // namespace knotwork::web

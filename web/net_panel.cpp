@@ -124,7 +124,7 @@ void draw_readout(Frame& frame, float left, float y, const NetSurfaceFigure& fig
   }
   const BSplineSurface& surface = figure.shown.surface;
   const SurfaceJet jet = surface.evaluate(frame.input.pointed->x, frame.input.pointed->y);
-  y = place_readout(frame, left, y, {frame.input.pointed->x, frame.input.pointed->y, jet.s, curvature(jet)});
+  y = place_readout(frame, left, y, {frame.input.pointed->x, frame.input.pointed->y, jet.s, curvature(jet)}, 12);
 
   // The bar is the partition of unity: its parts are the weights of the points at work.
   const auto weights = [](const KnotVector& knots, double t) {

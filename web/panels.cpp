@@ -628,7 +628,7 @@ void labels(Frame& frame) {
 /// What is selected and pointed at.
 void readout(Frame& frame) {
   const float left = frame.ui.touch ? 16 : 22, top = frame.ui.touch && !frame.state.drawer_open ? 56 : 22;
-  begin(frame, "probe", {left - 4, top - 4, std::min(300.0F, frame.stage.width - left), 168},
+  begin(frame, "probe", {left - 8, top - 8, std::min(300.0F, frame.stage.width - left), 168},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
   draw_readout(frame, left, top + 8);
   ImGui::End();
@@ -642,9 +642,12 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   const bool lines = quality.shading == scene::Shading::isophotes;
   const float left = frame.ui.touch ? 16 : 22, width = 176, height = curved ? 62 : lines ? 38 : 20;
   const Rect place{left, frame.stage.height - frame.foot() - height - 4, width, height};
-  begin(frame, "legend", {place.x - 4, place.y - 4, place.width + 28, place.height + 8},
+  // The last line is the longest.
+  const float longest = std::min(360.0F, frame.stage.width - left);
+  begin(frame, "legend", {place.x - 4, place.y - 4, longest + 8, place.height + 8},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-  frame.output.readouts.push_back({0, place.y - 4.0, place.x + place.width + 8.0, place.height + 8.0});
+  if (height > 20) frame.output.readouts.push_back({0, place.y - 4.0, place.x + width + 8.0, place.height + 8.0});
+  frame.output.readouts.push_back({0, place.y + height - 20.0, left + 0.8 * longest, 24});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = place.y + 8;
   if (lines) {

@@ -32,11 +32,12 @@ void find_fault(SurfaceQuality& quality, const std::vector<SurfaceJoint>& joints
 
 std::string fault_text(const SurfaceQuality& quality) {
   if (quality.fault == SurfaceFault::none) return "at knots: no jump up to curvature";
-  std::string text = (quality.worst.along_v ? "u = " : "v = ") + text_of("%.3g", quality.worst.parameter);
-  text += quality.fault == SurfaceFault::kink ? ": a kink of " + text_of("%.1f", quality.worst.kink / degree) + "°"
-                                              : ": curvature jumps by " + text_of("%.2g", quality.worst.bend);
+  const SurfaceJoint& worst = quality.worst;
+  std::string text = quality.fault == SurfaceFault::kink ? "kink of " + text_of("%.1f", worst.kink / degree) + "°"
+                                                         : "curvature jumps by " + text_of("%.2g", worst.bend);
+  text += (worst.along_v ? " at u = " : " at v = ") + text_of("%.3g", worst.parameter);
   if (quality.others > 0)
-    text += "; " + std::to_string(quality.others) + (quality.others > 1 ? " more lines" : " more line");
+    text += " and " + std::to_string(quality.others) + (quality.others > 1 ? " more knots" : " more knot");
   return text;
 }
 

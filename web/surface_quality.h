@@ -28,7 +28,7 @@ struct SurfaceQuality {
 /// from a fiftieth of the curvature of a ball of radius `size`.
 KNOTWORK_LAST void find_fault(SurfaceQuality& quality, const std::vector<SurfaceJoint>& joints, double size);
 
-/// "u = 0.25: a kink of 12.5°; 7 more lines": the fault in words.
+/// "kink of 12.5° at u = 0.25 and 7 more knots": the fault in words.
 KNOTWORK_LAST std::string fault_text(const SurfaceQuality& quality);
 
 }  // namespace knotwork::web

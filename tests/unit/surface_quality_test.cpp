@@ -23,12 +23,12 @@ TEST_CASE("the worst kink is told with its line and the number of the others") {
   const SurfaceQuality quality = quality_of(joints, 1);
   CHECK(quality.fault == SurfaceFault::kink);
   CHECK(quality.others == 1);
-  CHECK(fault_text(quality) == "v = 1.5: a kink of 12.3°; 1 more line");
+  CHECK(fault_text(quality) == "kink of 12.3° at v = 1.5 and 1 more knot");
 }
 
 TEST_CASE("where no kink is to be seen, a jump of curvature is, by the size of the surface") {
   const std::vector<SurfaceJoint> joints{{.along_v = true, .parameter = -2, .kink = 0.04 * degree, .bend = 0.3}};
-  CHECK(fault_text(quality_of(joints, 1)) == "u = −2: curvature jumps by 0.3");
+  CHECK(fault_text(quality_of(joints, 1)) == "curvature jumps by 0.3 at u = −2");
   CHECK(fault_text(quality_of(joints, 0.01)) == "at knots: no jump up to curvature");
 }
 
