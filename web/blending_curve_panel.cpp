@@ -22,8 +22,8 @@ std::optional<int> selected_local(const Frame& frame, const scene::BlendingCurve
 
 }  // namespace
 
-std::string size_text(const Frame&, const scene::BlendingCurveFigure& figure) {
-  return std::to_string(figure.curve.knots().count()) + " locals";
+Sentence size_text(const Frame&, const scene::BlendingCurveFigure& figure) {
+  return say("{} locals", figure.curve.knots().count());
 }
 
 Tools tools_of(const Frame& frame, const scene::BlendingCurveFigure&) {
@@ -89,7 +89,7 @@ void draw_strip(Frame& frame, const Rect& rect, const scene::BlendingCurveFigure
   for (int k = 0; k < count; ++k)
     if (held != k) bump(k, false);
   if (held && *held < count) bump(*held, true);
-  plot_level(ui, plot, 1, knots.start(), knots.end(), "sum 1");
+  plot_level(ui, plot, 1, knots.start(), knots.end(), say("sum {}", 1));
   plot_ground(ui, plot);
   plot_parameter(ui, plot, figure.t);
   for (const BlendingCurve::Weight& weight : figure.weights)
@@ -99,7 +99,7 @@ void draw_strip(Frame& frame, const Rect& rect, const scene::BlendingCurveFigure
   for (int i = 1; i <= last; ++i) {
     const bool hovered = (reached && nearest == i && on_knots.hovered) || (drag.held && drag.index == i);
     plot_knot(ui, plot, knots[i], 1, movable(i), hovered);
-    plot_knot_name(ui, plot, knots[i], "t" + subscript(i), taken);
+    plot_knot_name(ui, plot, knots[i], as_is("t" + subscript(i)), taken);
     if (movable(i)) ui.record("knot " + std::to_string(i), {plot.x_of(knots[i]) - 9, row.y + 2, 18, 18});
   }
   if (event.taken) take_gesture(frame);
@@ -114,13 +114,15 @@ void draw_readout(Frame& frame, float left, float y, const scene::BlendingCurveF
   ImDrawList& list = *ImGui::GetWindowDrawList();
   frame.output.readouts.push_back({0, 0, left + 140.0, y + 52.0});
   const double t = frame.input.pointed ? frame.input.pointed->x : figure.t;
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), as_is("t " + text_of("%.2f", t)));
+  // Figures are of one width, and the locals of few figures.
+  const float values = behind(frame.ui, Face::regular, left + 16, say("local {}", 0), left + 74);
   for (const BlendingCurve::Weight& weight : figure.curve.weights(t)) {
     y += 20;
     const Colour hue = local_hue(weight.local, figure.curve.knots().count(), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
-    text(frame.ui, Face::regular, {left + 16, y}, colour(as_text(theme, hue)), "local " + std::to_string(weight.local));
-    text(frame.ui, Face::regular, {left + 74, y}, colour(as_text(theme, hue)), text_of("%.2f", weight.value));
+    text(frame.ui, Face::regular, {left + 16, y}, colour(as_text(theme, hue)), say("local {}", weight.local));
+    text(frame.ui, Face::regular, {values, y}, colour(as_text(theme, hue)), as_is(text_of("%.2f", weight.value)));
   }
 }
 

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // A blending curve's part of the panel.
 
-std::string size_text(const Frame& frame, const scene::BlendingCurveFigure& figure);
+Sentence size_text(const Frame& frame, const scene::BlendingCurveFigure& figure);
 Tools tools_of(const Frame& frame, const scene::BlendingCurveFigure& figure);
 /// The plot of B with the weights at the parameter.
 void draw_rows(Frame& frame, Column& column, const scene::BlendingCurveFigure& figure);

@@ -10,8 +10,7 @@ namespace knotwork::web {
 namespace {
 
 constexpr std::string_view words_reset = "Put all patches back", words_domain = "domain", words_knots = "knots",
-                           words_patches = "patches", words_locals = "locals", words_selected = "patch",
-                           words_pointed = "under the pointer", words_tapped = "at the tap";
+                           words_patches = "patches", words_locals = "locals", words_pointed = "under the pointer", words_tapped = "at the tap";
 
 const scene::BlendingSurfaceObject& object_of(const Frame& frame) {
   return scene::blending_surface(frame.input.document);
@@ -24,8 +23,8 @@ std::optional<Probe> probe_of(const Frame& frame, const BlendingFigure& figure) 
 
 }  // namespace
 
-std::string size_text(const Frame& frame, const BlendingFigure&) {
-  return std::to_string(object_of(frame).locals_u) + " × " + std::to_string(object_of(frame).locals_v);
+Sentence size_text(const Frame& frame, const BlendingFigure&) {
+  return say("{} × {}", object_of(frame).locals_u, object_of(frame).locals_v);
 }
 
 Tools tools_of(const Frame& frame, const BlendingFigure&) {
@@ -47,14 +46,14 @@ void draw_blending_function(Frame& frame, Column& column, const BlendingFunction
     const double b = blending(*w)[0];
     left += "  " + text_of("%.2f", 1 - b);
     right = text_of("%.2f", b) + "  " + right;
-    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), "w " + text_of("%.2f", *w), Align::centre);
+    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), as_is("w " + text_of("%.2f", *w)), Align::centre);
   } else {
     ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4},
                                               colour(theme.ink, 0.12F), 2);
-    text(frame.ui, Face::small, {centre + 1, middle}, colour(theme.ink_soft), "B′");
+    text(frame.ui, Face::small, {centre + 1, middle}, colour(theme.ink_soft), as_is("B′"));
   }
-  text(frame.ui, Face::small, {column.x, middle}, first, left);
-  text(frame.ui, Face::small, {column.x + column.width, middle}, second, right, Align::right);
+  text(frame.ui, Face::small, {column.x, middle}, first, as_is(left));
+  text(frame.ui, Face::small, {column.x + column.width, middle}, second, as_is(right), Align::right);
   column.y += 18;
   blending_plot(frame.ui, {column.x, column.y, column.width, 64}, blending, w);
   column.y += 68;
@@ -67,9 +66,11 @@ void draw_table(Frame& frame, Column& column, const BlendingFigure&) {
   const std::array<float, 4> ends{0.43F, 0.61F, 0.83F, 1};
   const std::array<std::string_view, 4> heads{words_domain, words_knots, words_patches, words_locals};
   const float first = column.x + 20;
-  for (std::size_t k = 0; k < heads.size(); ++k)
-    text(frame.ui, Face::small, {k == 0 ? first : column.x + ends[k] * width, column.y + 8}, colour(theme.ink_soft),
-         heads[k], k == 0 ? Align::left : Align::right);
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    const float start = k == 0 ? first : column.x + ends[k - 1] * width + 2, end = column.x + ends[k] * width;
+    fitted_text(frame.ui, Face::small, {k == 0 ? first : end, column.y + 8}, colour(theme.ink_soft), say(heads[k]),
+                end - start, k == 0 ? Align::left : Align::right);
+  }
   column.y += line;
 
   const auto row = [&](std::string_view letter, int locals, Topology topology) {
@@ -78,19 +79,19 @@ void draw_table(Frame& frame, Column& column, const BlendingFigure&) {
     const std::array<int, 3> counts{locals + (closed ? 3 : 2), closed ? locals : locals - 1, locals};
     ImGui::GetWindowDrawList()->AddLine({column.x, column.y - 1.5F}, {column.x + width, column.y - 1.5F},
                                         colour(theme.rule, 0.8F));
-    text(frame.ui, Face::bold, {column.x, column.y + 8}, colour(theme.ink), letter);
+    text(frame.ui, Face::bold, {column.x, column.y + 8}, colour(theme.ink), as_is(letter));
     text(frame.ui, Face::regular, {first, column.y + 8}, colour(theme.ink),
-         Words()
-             .add("[")
-             .add(letter)
-             .below(1)
-             .add(", ")
-             .add(letter)
-             .below(closed ? locals + 1 : locals)
-             .add(closed ? ")" : "]"));
+         as_is(Words()
+                   .add("[")
+                   .add(letter)
+                   .below(1)
+                   .add(", ")
+                   .add(letter)
+                   .below(closed ? locals + 1 : locals)
+                   .add(closed ? ")" : "]")));
     for (std::size_t k = 0; k < counts.size(); ++k)
       text(frame.ui, Face::regular, {column.x + ends[k + 1] * width, column.y + 8}, colour(theme.ink),
-           Words().add(counts[k]), Align::right);
+           as_is(Words().add(counts[k])), Align::right);
     column.y += line;
   };
   row("u", object_of(frame).locals_u, object_of(frame).topology_u);
@@ -112,7 +113,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
     const Colour hue = scene::patch_hue(scene::patch_hue_index(object, patch), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
     text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-         std::string(words_selected) + " " + std::to_string(patch.first) + ", " + std::to_string(patch.second));
+         say("patch {}, {}", patch.first, patch.second));
     y += 26;
   }
   if (share <= 0 || !state.last_probe) return;
@@ -120,7 +121,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
   // What is selected and what is pointed at are two things.
   if (frame.input.selected) {
     text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft, share),
-         frame.ui.touch ? words_tapped : words_pointed);
+         say(frame.ui.touch ? words_tapped : words_pointed));
     y += 18;
   }
   y = place_readout(frame, left, y, point.place, 34, share);
@@ -133,7 +134,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
     const float part = width * static_cast<float>(std::clamp(weight.value, 0.0, 1.0));
     if (part > 0.25F) list.AddRectFilled({x, y - height / 2}, {x + part, y + height / 2}, colour(hue, share));
     x += part;
-    text(frame.ui, Face::small, {word, y + 15}, colour(as_text(theme, hue), share), text_of("%.2f", weight.value));
+    text(frame.ui, Face::small, {word, y + 15}, colour(as_text(theme, hue), share), as_is(text_of("%.2f", weight.value)));
     word += 38;
   }
 }

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The blending surface's part of the panel.
 
-std::string size_text(const Frame& frame, const BlendingFigure& figure);
+Sentence size_text(const Frame& frame, const BlendingFigure& figure);
 Tools tools_of(const Frame& frame, const BlendingFigure& figure);
 /// The plot of B with the weights under the pointer.
 void draw_rows(Frame& frame, Column& column, const BlendingFigure& figure);

@@ -18,8 +18,8 @@ std::optional<int> selected_point(const Frame& frame, const scene::CurveFigure& 
 
 }  // namespace
 
-std::string size_text(const Frame&, const scene::CurveFigure& figure) {
-  return std::to_string(figure.curve.points().size()) + " points";
+Sentence size_text(const Frame&, const scene::CurveFigure& figure) {
+  return say("{} points", figure.curve.points().size());
 }
 
 Tools tools_of(const Frame& frame, const scene::CurveFigure& figure) {
@@ -48,15 +48,15 @@ void draw_readout(Frame& frame, float left, float y, const scene::CurveFigure& f
   const Theme& theme = frame.input.theme;
   const KnotVector& knots = figure.curve.knots();
   const double t = frame.input.pointed ? frame.input.pointed->x : figure.t;
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), as_is("t " + text_of("%.2f", t)));
   text(frame.ui, Face::regular, {left + 74, y}, colour(theme.ink_soft),
-       "span " + std::to_string(knots.span(knots.reduced(t))));
+       say("span {}", knots.span(knots.reduced(t))));
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
     const int multiplicity = mark.last - mark.first + 1;
     if (!mark.inner || multiplicity < 2) continue;
     y += 20;
     text(frame.ui, Face::regular, {left, y}, colour(theme.accent),
-         "C" + superscript(knots.degree() - multiplicity) + " at t = " + text_of("%.2f", mark.t));
+         say("{} at t = {}", "C" + superscript(knots.degree() - multiplicity), text_of("%.2f", mark.t)));
   }
   frame.output.readouts.push_back({0, 0, left + 132.0, y + 12.0});
 }

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The part of the panel that Bezier and B-spline curves have.
 
-std::string size_text(const Frame& frame, const scene::CurveFigure& figure);
+Sentence size_text(const Frame& frame, const scene::CurveFigure& figure);
 Tools tools_of(const Frame& frame, const scene::CurveFigure& figure);
 inline void draw_rows(Frame&, Column&, const scene::CurveFigure&) {}
 inline bool has_table(const scene::CurveFigure&) { return false; }

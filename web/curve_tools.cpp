@@ -15,6 +15,7 @@
 #include "web/curve_ornaments.h"
 #include "web/model_curve_ornaments.h"
 #include "web/vectors.h"
+#include "web/language.h"
 #include "web/words.h"
 
 namespace knotwork::web {
@@ -226,7 +227,7 @@ void add_osculating_circle(Picture& picture, const glm::dvec3& centre, double ra
 }
 
 std::string continuity_text(const Continuity& joint) {
-  if (joint.parametric < 0) return "torn";
+  if (joint.parametric < 0) return std::string(say("torn"));
   std::string text = "C" + superscript(joint.parametric);
   if (joint.geometric > joint.parametric) text += " G" + superscript(joint.geometric);
   return text;

@@ -20,15 +20,15 @@ float place_readout(Frame& frame, float left, float y, const SurfacePlace& place
     ImGui::GetWindowDrawList()->AddRectFilled({left - 8, y - 14}, {left + 208, y + 4 * 20 - 6 + below},
                                               colour(theme.stage, 0.86F * share), 8);
   const auto pair = [&](Face face, const Colour& ink, const std::string& first, const std::string& second) {
-    text(frame.ui, face, {left, y}, colour(ink, share), first);
-    text(frame.ui, face, {left + 84, y}, colour(ink, share), second);
+    text(frame.ui, face, {left, y}, colour(ink, share), as_is(first));
+    text(frame.ui, face, {left + 84, y}, colour(ink, share), as_is(second));
     y += 20;
   };
   pair(Face::bold, theme.ink, "u " + text_of("%.3f", place.u), "v " + text_of("%.3f", place.v));
   constexpr std::array<std::string_view, 3> axes{"x ", "y ", "z "};
   for (int axis = 0; axis < 3; ++axis)
     text(frame.ui, Face::regular, {left + 68 * static_cast<float>(axis), y}, colour(theme.ink_soft, share),
-         std::string(axes[static_cast<std::size_t>(axis)]) + text_of("%.2f", place.point[axis]));
+         as_is(std::string(axes[static_cast<std::size_t>(axis)]) + text_of("%.2f", place.point[axis])));
   y += 20;
   const SurfaceCurvature& curved = place.curved;
   pair(Face::regular, theme.ink_soft, "K " + text_of("%.3f", curved.gaussian), "H " + text_of("%.3f", curved.mean));
@@ -36,7 +36,7 @@ float place_readout(Frame& frame, float left, float y, const SurfacePlace& place
   return y + 2;
 }
 
-std::string size_text(const Frame& frame) {
+Sentence size_text(const Frame& frame) {
   return scene::visit_first([&](const auto& figure) { return size_text(frame, figure); }, frame.input.figure);
 }
 

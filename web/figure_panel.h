@@ -15,7 +15,7 @@ struct Tool {
   std::string_view id;
   Icon icon = Icon::reset;
   bool enabled = false;
-  std::string_view hint;
+  std::string_view hint;  ///< in English
   std::optional<scene::Command> command;
   std::string_view key{};
 };
@@ -29,7 +29,7 @@ float place_readout(Frame& frame, float left, float y, const SurfacePlace& place
 // one more argument, in its own <kind>_panel.h.
 
 /// The size beside the title, as "6 × 4".
-std::string size_text(const Frame& frame);
+Sentence size_text(const Frame& frame);
 /// The buttons that only this kind has.
 Tools tools_of(const Frame& frame);
 /// Rows of the card below the first parameters.

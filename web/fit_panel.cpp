@@ -33,8 +33,8 @@ int possible(const scene::FitFigure& figure, int wanted) {
 
 }  // namespace
 
-std::string size_text(const Frame&, const scene::FitFigure& figure) {
-  return std::to_string(figure.points.size()) + " points";
+Sentence size_text(const Frame&, const scene::FitFigure& figure) {
+  return say("{} points", figure.points.size());
 }
 
 Tools tools_of(const Frame& frame, const scene::FitFigure& figure) {
@@ -56,7 +56,7 @@ void draw_strip(Frame& frame, const Rect& place, const scene::FitFigure& figure)
   if (both) errors.width = 0.6F * (errors.width - plot_gap);
 
   std::array<LogSeries, 2> series{
-      {{"greatest residual", mixed(theme.stage, theme.accent, 0.8F), {}}, {"root mean square", theme.ink, {}}}};
+      {{say("greatest residual"), mixed(theme.stage, theme.accent, 0.8F), {}}, {say("root mean square"), theme.ink, {}}}};
   for (const CurveFitError& error : figure.errors) {
     series[0].values.emplace_back(error.count, error.maximum);
     series[1].values.emplace_back(error.count, error.rms);
@@ -66,7 +66,7 @@ void draw_strip(Frame& frame, const Rect& place, const scene::FitFigure& figure)
   for (const CurveFitError& error : figure.errors) greatest = std::max(greatest, error.maximum);
   const double least = std::max(1e-15, 1e-6 * greatest);
   const LogPlotEvent event = log_plot(frame.ui, "errors", errors,
-                                      {.series = series, .number_name = "n", .marked = figure.count, .least = least});
+                                      {.series = series, .number_name = as_is("n"), .marked = figure.count, .least = least});
   if (event.taken) take_gesture(frame);
   if (event.number) {
     if (const int count = possible(figure, *event.number); count != figure.count)
@@ -75,7 +75,7 @@ void draw_strip(Frame& frame, const Rect& place, const scene::FitFigure& figure)
   if (event.let_go) end_gesture(frame);
   if (both) {
     const float x = errors.x + errors.width + plot_gap;
-    bar_plot(frame.ui, {x, place.y, place.x + place.width - x, place.height}, "residuals along the data",
+    bar_plot(frame.ui, {x, place.y, place.x + place.width - x, place.height}, say("residuals along the data"),
              figure.residuals, mixed(theme.stage, theme.accent, 0.8F), selected_datum(frame, figure));
   }
 }
@@ -85,15 +85,17 @@ void draw_readout(Frame& frame, float left, float y, const scene::FitFigure& fig
   // On a phone the figure needs the room more than the counts do.
   const bool counts = !frame.ui.touch;
   frame.output.readouts.push_back({0, 0, left + 190.0, y + (counts ? 32.0 : 12.0)});
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "RMS " + text_of("%.3g", figure.rms));
-  text(frame.ui, Face::regular, {left + 104, y}, colour(theme.ink_soft), "max " + text_of("%.3g", figure.maximum));
+  const Sentence rms = say("RMS {}", text_of("%.3g", figure.rms));
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), rms);
+  text(frame.ui, Face::regular, {behind(frame.ui, Face::bold, left, rms, left + 104), y}, colour(theme.ink_soft),
+       say("max {}", text_of("%.3g", figure.maximum)));
   y += 20;
   if (counts)
     text(frame.ui, Face::regular, {left, y}, colour(theme.ink_soft),
-         std::to_string(figure.points.size()) + " points, " + std::to_string(figure.count) + " control points");
+         say("{} points, {} control points", figure.points.size(), figure.count));
   if (!frame.input.drawing) return;
   if (counts) y += 22;
-  text(frame.ui, Face::bold, {left, y}, colour(theme.accent), fit_words::drawing);
+  text(frame.ui, Face::bold, {left, y}, colour(theme.accent), say(fit_words::drawing));
 }
 
 }  // namespace knotwork::web

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The part of the panel that fitted curves have.
 
-std::string size_text(const Frame& frame, const scene::FitFigure& figure);
+Sentence size_text(const Frame& frame, const scene::FitFigure& figure);
 /// Draw the points by hand; add and delete one.
 Tools tools_of(const Frame& frame, const scene::FitFigure& figure);
 inline void draw_rows(Frame&, Column&, const scene::FitFigure&) {}

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "knotwork/later.h"
 #include "knotwork/scene/commands.h"
 #include "web/freehand.h"
 #include "web/gizmo.h"
@@ -65,7 +66,7 @@ Outcome wheel(InteractionState& state, const Stage& stage, const WheelEvent& eve
 /// Arrows move the selected handle a little in the view plane (Shift: finer; Page Up/Down along the patch's normal or z),
 /// `[` and `]` select the neighbour, D makes the next drag draw the figure's points, Delete puts a patch back or deletes a point, Insert adds one after it, Escape cancels a drag or the selection, + - zoom, 0 or Home
 /// frames, Space plays and pauses, Ctrl+Z / Ctrl+Shift+Z / Ctrl+Y undo and redo. Tab is never used.
-Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event);
+KNOTWORK_LATER Outcome key(InteractionState& state, const Stage& stage, const KeyEvent& event);
 
 /// For a frame of the animation: what is held stays under the resting pointer while its patch moves.
 Outcome hold(const InteractionState& state, const Stage& stage);

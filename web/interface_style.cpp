@@ -7,12 +7,17 @@
 
 #include <imgui.h>
 
+#include "web/language.h"
+
 namespace knotwork::web {
 namespace {
 
 // First and last code points in pairs: ASCII with Latin-1, general punctuation (dashes, quotes, primes), the minus
 // sign, not greater and not less. Subscript figures are drawn as small lowered ones, since few subset fonts hold them.
 constexpr std::array<ImWchar, 9> glyph_ranges{0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0x2264, 0x2265, 0};
+
+// Another language may have any letters; the page's fonts hold those of its words alone.
+constexpr std::array<ImWchar, 3> all_glyphs{0x20, 0xFFFD, 0};
 
 ImFont* add_face(const std::vector<std::uint8_t>& bytes, float height, float pixel_ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -26,7 +31,7 @@ ImFont* add_face(const std::vector<std::uint8_t>& bytes, float height, float pix
   std::memcpy(copy, bytes.data(), bytes.size());
   // The atlas owns the copy: newer releases of ImGui rasterise glyphs when they are first drawn.
   return atlas.AddFontFromMemoryTTF(copy, static_cast<int>(bytes.size()), config.SizePixels, &config,
-                                    glyph_ranges.data());
+                                    translates() ? all_glyphs.data() : glyph_ranges.data());
 }
 
 #if IMGUI_VERSION_NUM < 19200

@@ -249,13 +249,14 @@ void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float 
   }
 }
 
-float text_width(const Interface& ui, Face face, std::string_view text) {
+float text_width(const Interface& ui, Face face, Said text) {
   float width = 0;
   each_run(text, [&](const Run& run) { width += run_width(ui, face, run); });
   return width;
 }
 
-void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align) {
+void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, Said text, Align align) {
+  heard(text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float size = size_of(ui, face);
   float x = position.x;
@@ -269,7 +270,39 @@ void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::strin
   });
 }
 
-Paragraph balanced(const Interface& ui, Face face, std::string_view words, float widest) {
+namespace {
+
+KNOTWORK_LATER void shortened_text(Interface& ui, Face face, ImVec2 position, ImU32 ink, Said text, float room,
+                                   Align align) {
+  std::string_view words = text;
+  Words cut;
+  do {
+    while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80) words.remove_suffix(1);
+    if (!words.empty()) words.remove_suffix(1);
+    cut = Words().add(words).add("…");
+  } while (!words.empty() && text_width(ui, face, as_is(cut)) > room);
+  web::text(ui, face, position, ink, as_is(cut), align);
+  const float left = position.x - (align == Align::left ? 0 : align == Align::centre ? room / 2 : room);
+  const Rect place{left, position.y - text_height / 2, room, text_height};
+  if (!ui.hint && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(place.min(), place.max()))
+    set_hint(ui, text, place);
+}
+
+}  // namespace
+
+void fitted_text(Interface& ui, Face face, ImVec2 position, ImU32 ink, Said words, float room, Align align) {
+  if (text_width(ui, face, words) <= room + 0.5F)
+    text(ui, face, position, ink, words, align);
+  else
+    shortened_text(ui, face, position, ink, words, room, align);
+}
+
+float behind(const Interface& ui, Face face, float x, Said text, float usual) {
+  return std::max(usual, std::ceil(x + text_width(ui, face, text) + 10));
+}
+
+Paragraph balanced(const Interface& ui, Face face, Said text, float widest) {
+  const std::string_view words = text;
   const auto extent = [&](float wrap) {
     return font_of(ui, face)->CalcTextSizeA(size_of(ui, face), FLT_MAX, wrap, words.data(),
                                             words.data() + words.size());
@@ -283,8 +316,9 @@ Paragraph balanced(const Interface& ui, Face face, std::string_view words, float
   return best;
 }
 
-void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, std::string_view words,
-               float wrap) {
+void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, Said text, float wrap) {
+  heard(text);
+  const std::string_view words = text;
   list.AddText(font_of(ui, face), size_of(ui, face), corner, ink, words.data(), words.data() + words.size(), wrap);
 }
 
@@ -340,7 +374,7 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
     presses[i] = press_area(ui, segments[i].widget, places[i]);
     if (presses[i].clicked) clicked = i;
     if (presses[i].hovered && !segments[i].refusal.empty())
-      ui.hint = Widget{segments[i].refusal, {places[i].x, places[i].y, places[i].width, places[i].height}};
+      set_hint(ui, say(segments[i].refusal), places[i]);
   }
 
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -443,7 +477,7 @@ SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const S
   return event;
 }
 
-bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled) {
+bool chip(Interface& ui, std::string_view id, const Rect& rect, Said label, bool on, bool enabled) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Theme& theme = ui.theme;
   const Press press = press_area(ui, id, rect);
@@ -454,11 +488,11 @@ bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view
   fill_capsule(list, field, colour(theme.ink, (0.04F * warm * (1 - lit) + lit * (1 - 0.12F * warm)) * opacity));
   outline_capsule(list, field, colour(mixed(theme.rule, theme.ink_soft, 0.25F + warm * 0.5F), (1 - lit) * opacity));
   const Colour ink = mixed(mixed(theme.ink_soft, theme.ink, warm), theme.paper, lit);
-  text(ui, Face::small, rect.centre(), colour(ink, opacity), label, Align::centre);
+  fitted_text(ui, Face::small, rect.centre(), colour(ink, opacity), label, rect.width - 16, Align::centre);
   return press.clicked && enabled;
 }
 
-bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint) {
+bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, Said hint) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press) * (enabled ? 1.0F : 0.3F);
@@ -466,8 +500,7 @@ bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   list.AddCircleFilled(rect.centre(), std::min(rect.width, rect.height) / 2 - 1, colour(ui.theme.ink, 0.08F * warm));
   const Colour ink = press.held && enabled ? ui.theme.accent : mixed(ui.theme.ink_soft, ui.theme.ink, warm);
   draw_icon(list, icon, rect.centre(), ui.touch ? 1.15F : 1, colour(ink, strength));
-  if (press.hovered && !press.held && !ui.touch)
-    ui.hint = Widget{std::string(hint), {rect.x, rect.y, rect.width, rect.height}};
+  if (press.hovered && !press.held && !ui.touch) set_hint(ui, hint, rect);
   return press.clicked && enabled;
 }
 
@@ -493,7 +526,7 @@ bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool play
   return press.clicked;
 }
 
-bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, std::string_view label) {
+bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, Said label) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
@@ -503,47 +536,46 @@ bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon
   list.PopClipRect();
   fill_capsule(list, field, colour(mixed(ui.theme.panel, ui.theme.ink, 0.06F * warm), 0.96F));
   draw_icon(list, icon, {field.x + 20, field.y + field.height / 2}, 0.95F, colour(ui.theme.ink));
-  text(ui, Face::bold, {field.x + 34, field.y + field.height / 2}, colour(ui.theme.ink), label);
+  fitted_text(ui, Face::bold, {field.x + 34, field.y + field.height / 2}, colour(ui.theme.ink), label,
+              field.width - 48);
   return press.clicked;
 }
 
-bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open) {
+bool fold_button(Interface& ui, std::string_view id, const Rect& rect, Said label, bool open) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
   const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   const ImU32 ink = colour(mixed(ui.theme.ink_soft, ui.theme.ink, warm));
-  text(ui, Face::regular, {rect.x, rect.y + rect.height / 2}, ink, label);
+  fitted_text(ui, Face::regular, {rect.x, rect.y + rect.height / 2}, ink, label, rect.width - 22);
   chevron(list, {rect.x + rect.width - 7, rect.y + rect.height / 2}, 4, turn, ink);
   return press.clicked;
 }
 
-bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open) {
+bool combo_button(Interface& ui, std::string_view id, const Rect& rect, Said label, bool open) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
   const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   fill(list, rect, colour(ui.theme.ink, 0.045F + 0.035F * warm), 8);
   outline(list, rect, colour(mixed(ui.theme.rule, ui.theme.ink_soft, 0.5F * warm)), 8);
-  list.PushClipRect(rect.min(), {rect.x + rect.width - 22, rect.y + rect.height}, true);
-  text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label);
-  list.PopClipRect();
+  fitted_text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label,
+              rect.width - 32);
   chevron(list, {rect.x + rect.width - 14, rect.y + rect.height / 2}, 3.5F, turn, colour(ui.theme.ink_soft));
   return press.clicked;
 }
 
-bool menu_item(Interface& ui, WidgetName id, const Rect& rect, std::string_view label, bool chosen,
-               std::string_view refusal, std::span<const float> curve) {
+bool menu_item(Interface& ui, WidgetName id, const Rect& rect, Said label, bool chosen, Said refusal,
+               std::span<const float> curve) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Theme& theme = ui.theme;
   const Press press = press_area(ui, id, rect);
   const float warm = warmth(ui, id, press);
   fill(list, rect, chosen ? colour(theme.ink) : colour(theme.ink, 0.08F * warm), 6);
   const Colour ink = chosen ? theme.paper : mixed(theme.ink_soft, theme.ink, 0.5F + 0.5F * warm);
-  text(ui, chosen ? Face::bold : Face::regular, {rect.x + 10, rect.y + rect.height / 2},
-       colour(ink, refusal.empty() ? 1 : 0.5F), label);
-  if (press.hovered && !refusal.empty())
-    ui.hint = Widget{std::string(refusal), {rect.x, rect.y, rect.width, rect.height}};
+  if (press.hovered) set_hint(ui, refusal, rect);
+  fitted_text(ui, chosen ? Face::bold : Face::regular, {rect.x + 10, rect.y + rect.height / 2},
+              colour(ink, refusal.empty() ? 1 : 0.5F), label, rect.width - (curve.size() > 1 ? 58 : 16));
   if (curve.size() > 1) {
     const float width = 34, height = std::min(rect.height - 14, 18.0F);
     const float x = rect.x + rect.width - width - 10, y = rect.y + (rect.height + height) / 2;
@@ -599,12 +631,16 @@ void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blen
   }
 }
 
+void set_hint(Interface& ui, Said words, const Rect& item) {
+  if (!words.empty()) ui.hint = Widget{std::string(words), {item.x, item.y, item.width, item.height}};
+}
+
 void draw_hint(Interface& ui, const Rect& stage) {
   if (!ui.hint || ui.hint->label.empty()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   sharpen(ui, list);
   const auto& item = ui.hint->rect;
-  const std::string& words = ui.hint->label;
+  const Said words = as_is(ui.hint->label);
   const auto [wrap, extent] = balanced(ui, Face::small, words, std::min(220.0F, stage.width - 48));
   Rect box{0, 0, std::ceil(extent.x) + 18, std::ceil(extent.y) + 12};
   box.x = std::round(static_cast<float>(item[0] + item[2] / 2) - box.width / 2);

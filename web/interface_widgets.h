@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "web/interface_style.h"
+#include "web/language.h"
 #include "web/panels.h"
 
 namespace knotwork::web {
@@ -82,17 +83,21 @@ void soft_shadow(const Interface& ui, ImDrawList& list, const Rect& card, float 
 
 // Type. Positions are of the line's vertical centre; subscript figures (U+2080..2089) are drawn small and
 // low, raised ones (U+2070, 2074..2079) small and high.
-float text_width(const Interface& ui, Face face, std::string_view text);
-void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, std::string_view text, Align align = Align::left);
+float text_width(const Interface& ui, Face face, Said text);
+void text(const Interface& ui, Face face, ImVec2 position, ImU32 ink, Said text, Align align = Align::left);
+/// The same where only `room` CSS pixels are free: longer words end with "…", and the pointer on them shows them whole.
+void fitted_text(Interface& ui, Face face, ImVec2 position, ImU32 ink, Said words, float room,
+                 Align align = Align::left);
+/// Where what follows words at `x` begins: at its usual place, or behind longer words.
+float behind(const Interface& ui, Face face, float x, Said text, float usual);
 
 /// Words in lines of even length that are no longer than `widest`: the width to wrap at, and the extent.
 struct Paragraph {
   float wrap = 0;
   ImVec2 extent;
 };
-Paragraph balanced(const Interface& ui, Face face, std::string_view words, float widest);
-void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, std::string_view words,
-               float wrap);
+Paragraph balanced(const Interface& ui, Face face, Said words, float widest);
+void paragraph(const Interface& ui, ImDrawList& list, Face face, ImVec2 corner, ImU32 ink, Said words, float wrap);
 
 /// One press area with the record of it; the base of all widgets.
 struct Press {
@@ -100,9 +105,9 @@ struct Press {
 };
 Press press_area(Interface& ui, WidgetName name, const Rect& rect);
 
-/// One segment of a switch; `refusal` says why it cannot be chosen now.
+/// One segment of a switch; `refusal` says in English why it cannot be chosen now.
 struct Segment {
-  std::string_view label;
+  Said label = as_is("");
   WidgetName widget{""};
   bool chosen = false;
   std::string refusal{};
@@ -131,7 +136,7 @@ struct SliderEvent {
 SliderEvent slider(Interface& ui, std::string_view id, const Rect& rect, const SliderScale& scale, double value,
                    bool enabled = true);
 
-bool chip(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool on, bool enabled = true);
+bool chip(Interface& ui, std::string_view id, const Rect& rect, Said label, bool on, bool enabled = true);
 
 enum class Icon : unsigned char {
   undo,
@@ -148,21 +153,23 @@ enum class Icon : unsigned char {
   play,
   pause
 };
-bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, std::string_view hint);
+bool icon_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, bool enabled, Said hint);
 bool play_button(Interface& ui, std::string_view id, const Rect& rect, bool playing);
 /// A pill with an icon and a word.
-bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, std::string_view label);
+bool pill_button(Interface& ui, std::string_view id, const Rect& rect, Icon icon, Said label);
 /// A line of text with a chevron that turns when `open`.
-bool fold_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open);
+bool fold_button(Interface& ui, std::string_view id, const Rect& rect, Said label, bool open);
 /// The closed form of a list of choices.
-bool combo_button(Interface& ui, std::string_view id, const Rect& rect, std::string_view label, bool open);
+bool combo_button(Interface& ui, std::string_view id, const Rect& rect, Said label, bool open);
 /// A row of an open list, with a small plot of `curve` (values in [0,1]) at its right.
-bool menu_item(Interface& ui, WidgetName id, const Rect& rect, std::string_view label, bool chosen,
-               std::string_view refusal, std::span<const float> curve);
+bool menu_item(Interface& ui, WidgetName id, const Rect& rect, Said label, bool chosen, Said refusal,
+               std::span<const float> curve);
 
 /// B and 1-B over [0,1] in the hues of the two locals that they weigh, B' faintly behind; `w` is where the probe is.
 void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w);
 
+/// Words to show beside an item, if there are any.
+void set_hint(Interface& ui, Said words, const Rect& item);
 /// Draws the hint of this frame, if there is one, above everything.
 void draw_hint(Interface& ui, const Rect& stage);
 

@@ -36,7 +36,7 @@ void draw_names(Interface& ui, const Plot& plot, const scene::CurveFigure& figur
     std::string name = "t" + subscript(mark.first);
     if (count == 2) name += " t" + subscript(mark.last);
     if (count > 2) name += "–t" + subscript(mark.last);
-    plot_knot_name(ui, plot, mark.t, name, taken);
+    plot_knot_name(ui, plot, mark.t, as_is(name), taken);
   }
 }
 
@@ -140,7 +140,7 @@ StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure&
     if (held != i) bump(plot, figure, i, hue_of(i), false);
   if (held) bump(plot, figure, *held, hue_of(*held), true);
 
-  plot_level(ui, plot, 1, knots.start(), knots.end(), "sum 1");
+  plot_level(ui, plot, 1, knots.start(), knots.end(), say("sum {}", 1));
   plot_ground(ui, plot);
   if (options.parameter) {
     const double t = knots.reduced(*options.parameter);

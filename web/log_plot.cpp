@@ -35,10 +35,11 @@ struct LogAxes {
 
 /// "10" with its exponent small and high, the whole ending at x.
 void power_of_ten(const Interface& ui, float x, float y, int exponent, ImU32 ink) {
-  const std::string raised = exponent < 0 ? "−" + std::to_string(-exponent) : std::to_string(exponent);
+  const std::string figures = exponent < 0 ? "−" + std::to_string(-exponent) : std::to_string(exponent);
+  const Said raised = as_is(figures);
   const float width = text_width(ui, Face::small, raised);
   text(ui, Face::small, {x, y - 4}, ink, raised, Align::right);
-  text(ui, Face::small, {x - width - 1, y + 1}, ink, "10", Align::right);
+  text(ui, Face::small, {x - width - 1, y + 1}, ink, as_is("10"), Align::right);
 }
 
 void draw_decades(const Interface& ui, const LogAxes& axes) {
@@ -60,13 +61,13 @@ void draw_numbers(const Interface& ui, const LogAxes& axes, const LogPlot& plot)
     step = wider;
     if (count == 0 || axes.area.width * static_cast<float>(wider) / static_cast<float>(count) >= name_room) break;
   }
-  const std::string name = plot.number_name + " = " + std::to_string(plot.marked);
+  const Sentence name = say("{} = {}", plot.number_name, plot.marked);
   const float half = text_width(ui, Face::bold, name) / 2;
   const float middle =
       std::clamp(axes.x_of(plot.marked), axes.area.x + half - 8, axes.area.x + axes.area.width - half + 8);
   for (int number = (axes.first + step - 1) / step * step; number <= axes.last; number += step) {
     if (std::abs(axes.x_of(number) - middle) < half + 12) continue;
-    text(ui, Face::small, {axes.x_of(number), y}, colour(ui.theme.ink_soft), std::to_string(number), Align::centre);
+    text(ui, Face::small, {axes.x_of(number), y}, colour(ui.theme.ink_soft), as_is(Words().add(number)), Align::centre);
   }
   text(ui, Face::bold, {middle, y}, colour(ui.theme.ink), name, Align::centre);
 }
@@ -83,14 +84,18 @@ void draw_series(const LogAxes& axes, const LogSeries& series, double least, int
 }
 
 /// The names of the series in their inks, at the head.
-void draw_legend(const Interface& ui, const LogAxes& axes, const LogPlot& plot) {
-  float x = axes.area.x;
+void draw_legend(Interface& ui, const LogAxes& axes, const LogPlot& plot) {
+  float x = axes.area.x, wanted = 0;
+  for (const LogSeries& series : plot.series) wanted += text_width(ui, Face::small, series.name);
+  const float rest = static_cast<float>(plot.series.size()) * (11 + title_gap) - title_gap;
+  const float share = std::min(1.0F, (axes.area.width + 8 - rest) / wanted);
   const float y = axes.area.y - plot_head + 9;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const LogSeries& series : plot.series) {
+    const float room = share * text_width(ui, Face::small, series.name);
     list.AddCircleFilled({x + 3, y}, 3, colour(series.ink));
-    text(ui, Face::small, {x + 11, y}, colour(as_text(ui.theme, series.ink)), series.name);
-    x += 11 + text_width(ui, Face::small, series.name) + title_gap;
+    fitted_text(ui, Face::small, {x + 11, y}, colour(as_text(ui.theme, series.ink)), series.name, room);
+    x += 11 + room + title_gap;
   }
 }
 
@@ -147,7 +152,7 @@ LogPlotEvent log_plot(Interface& ui, std::string_view id, const Rect& rect, cons
   return event;
 }
 
-void bar_plot(Interface& ui, const Rect& rect, std::string_view title, std::span<const double> sizes, Colour ink,
+void bar_plot(Interface& ui, const Rect& rect, Said title, std::span<const double> sizes, Colour ink,
               std::optional<int> marked) {
   if (sizes.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -172,9 +177,10 @@ void bar_plot(Interface& ui, const Rect& rect, std::string_view title, std::span
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.3g", most);
   const float y = rect.y + 9;
-  text(ui, Face::small, {area.x, y}, colour(as_text(ui.theme, ink)), title);
-  text(ui, Face::small, {area.x + area.width, y}, colour(ui.theme.ink_soft), "max " + std::string(number.data()),
-       Align::right);
+  const Sentence greatest = say("max {}", std::string(number.data()));
+  fitted_text(ui, Face::small, {area.x, y}, colour(as_text(ui.theme, ink)), title,
+              area.width - text_width(ui, Face::small, greatest) - title_gap);
+  text(ui, Face::small, {area.x + area.width, y}, colour(ui.theme.ink_soft), greatest, Align::right);
 }
 
 }  // namespace knotwork::web

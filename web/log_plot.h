@@ -11,14 +11,14 @@ namespace knotwork::web {
 
 /// Sizes over whole numbers, as errors over the number of control points.
 struct LogSeries {
-  std::string name;
+  Said name;
   Colour ink;
   std::vector<std::pair<int, double>> values;  ///< (number, size), numbers increasing
 };
 
 struct LogPlot {
   std::span<const LogSeries> series;
-  std::string number_name;  ///< of the numbers, as `n`
+  Said number_name;         ///< of the numbers, as `n`
   int marked = 0;           ///< the number that the stage shows
   /// Sizes below are drawn there: what is left is rounding.
   double least = 1e-15;
@@ -44,7 +44,7 @@ LogPlotEvent log_plot(Interface& ui, std::string_view id, const Rect& rect, cons
 
 /// One bar for each datum from a common foot, sizes from 0 to the greatest; the marked one strong. Above them the title
 /// and the greatest size.
-void bar_plot(Interface& ui, const Rect& rect, std::string_view title, std::span<const double> sizes, Colour ink,
+void bar_plot(Interface& ui, const Rect& rect, Said title, std::span<const double> sizes, Colour ink,
               std::optional<int> marked);
 
 }  // namespace knotwork::web

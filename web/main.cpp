@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "web/language.h"
+
 // The page's wish to be told; see bridge.h.
 // clang-format off
 EM_JS(void, knotwork_frame_needed, (), {
@@ -13,6 +15,15 @@ EM_JS(void, knotwork_frame_needed, (), {
 });
 EM_JS(void, knotwork_log, (const char* text), {
   console.error(UTF8ToString(text));
+});
+EM_JS(int, knotwork_language, (), {
+  return Module["hear"] ? 2 : Module["say"] ? 1 : 0;
+});
+EM_JS(void, knotwork_say, (const char* english, char* words, int size), {
+  stringToUTF8(Module["say"](UTF8ToString(english)), words, size);
+});
+EM_JS(void, knotwork_hear, (const char* words, int size), {
+  Module["hear"](UTF8ToString(words, size));
 });
 // clang-format on
 
@@ -34,6 +45,16 @@ std::string attach() {
   return log;
 }
 
+/// A language other than English is the page's; what is longer than a kilobyte is cut between characters.
+KNOTWORK_LATER std::string ask_page(const std::string& english) {
+  std::string words(1024, '\0');
+  knotwork_say(english.c_str(), words.data(), static_cast<int>(words.size()));
+  words.resize(words.find('\0'));
+  return words;
+}
+
+KNOTWORK_LATER void tell_page(std::string_view words) { knotwork_hear(words.data(), static_cast<int>(words.size())); }
+
 }  // namespace
 
 App* app() { return platform.app.get(); }
@@ -53,6 +74,7 @@ std::string start(const char* canvas_selector) {
   if (platform.context <= 0) return "WebGL2 is not available.";
   if (emscripten_webgl_make_context_current(platform.context) != EMSCRIPTEN_RESULT_SUCCESS)
     return "WebGL2 is not available.";
+  if (const int kind = knotwork_language()) translate_by(ask_page, kind > 1 ? tell_page : nullptr);
   platform.app = std::make_unique<App>();
   return attach();
 }

@@ -8,8 +8,8 @@
 
 namespace knotwork::web {
 
-std::string size_text(const Frame&, const scene::ModelCurveFigure& figure) {
-  return figure.topology == Topology::closed ? "closed" : "open";
+Sentence size_text(const Frame&, const scene::ModelCurveFigure& figure) {
+  return {say(figure.topology == Topology::closed ? "closed" : "open"), {}};
 }
 
 float strip_height(const Frame& frame, const scene::ModelCurveFigure&) {
@@ -41,12 +41,12 @@ void draw_strip(Frame& frame, const Rect& rect, const scene::ModelCurveFigure& f
   if (!figure.flat) plot_dot(plot, figure.t, figure.frame.torsion, twist);
   plot_dot(plot, figure.t, figure.frame.curvature, bend);
 
-  const float next = plot_legend(ui, {plot.area.x, rect.y + 9}, "curvature", bend);
-  if (!figure.flat) plot_legend(ui, {next, rect.y + 9}, "torsion", twist);
+  const float next = plot_legend(ui, {plot.area.x, rect.y + 9}, say("curvature"), bend);
+  if (!figure.flat) plot_legend(ui, {next, rect.y + 9}, say("torsion"), twist);
   const float below = plot.area.y + plot.area.height + 11;
   const ImU32 ink = colour(ui.theme.ink_soft);
-  text(ui, Face::small, {plot.area.x, below}, ink, "t " + plot_number(figure.start));
-  text(ui, Face::small, {plot.area.x + plot.area.width, below}, ink, plot_number(figure.end), Align::right);
+  text(ui, Face::small, {plot.area.x, below}, ink, as_is("t " + plot_number(figure.start)));
+  text(ui, Face::small, {plot.area.x + plot.area.width, below}, ink, as_is(plot_number(figure.end)), Align::right);
   if (press.taken) take_gesture(frame);
   if (press.t) frame.output.commands.emplace_back(scene::SetParameter{"curve.parameter", *press.t});
   if (press.let_go) end_gesture(frame);
@@ -60,14 +60,17 @@ void draw_readout(Frame& frame, float left, float y, const scene::ModelCurveFigu
   std::array<Eigen::Vector3d, 4> jet;
   evaluate(figure.model, t, jet);
   const FrenetFrame here = frenet_frame(jet);
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), "t " + text_of("%.2f", t));
-  const auto row = [&](std::string_view name, double value, const Colour& hue) {
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), as_is("t " + text_of("%.2f", t)));
+  const Said curvature = say("curvature"), torsion = say("torsion");
+  const float values = behind(frame.ui, Face::regular, left, torsion,
+                              behind(frame.ui, Face::regular, left, curvature, left + 74));
+  const auto row = [&](Said name, double value, const Colour& hue) {
     y += 20;
     text(frame.ui, Face::regular, {left, y}, colour(as_text(theme, hue)), name);
-    text(frame.ui, Face::regular, {left + 74, y}, colour(as_text(theme, hue)), plot_number(value));
+    text(frame.ui, Face::regular, {values, y}, colour(as_text(theme, hue)), as_is(plot_number(value)));
   };
-  row("curvature", here.curvature, bend_hue(theme));
-  if (!figure.flat) row("torsion", here.torsion, twist_hue(theme));
+  row(curvature, here.curvature, bend_hue(theme));
+  if (!figure.flat) row(torsion, here.torsion, twist_hue(theme));
 }
 
 }  // namespace knotwork::web

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // A model curve's part of the panel.
 
-std::string size_text(const Frame& frame, const scene::ModelCurveFigure& figure);
+Sentence size_text(const Frame& frame, const scene::ModelCurveFigure& figure);
 inline Tools tools_of(const Frame&, const scene::ModelCurveFigure&) { return {}; }
 inline void draw_rows(Frame&, Column&, const scene::ModelCurveFigure&) {}
 inline bool has_table(const scene::ModelCurveFigure&) { return false; }

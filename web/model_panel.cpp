@@ -7,11 +7,11 @@
 namespace knotwork::web {
 
 /// "closed × twisted", u first.
-std::string size_text(const Frame&, const ModelSurfaceFigure& figure) {
+Sentence size_text(const Frame&, const ModelSurfaceFigure& figure) {
   constexpr std::array<std::string_view, 3> words{"open", "closed", "twisted"};
   const SurfaceDomain where = domain(figure.shown.model());
-  return std::string(words[static_cast<std::size_t>(where.closure_u)]) + " × " +
-         std::string(words[static_cast<std::size_t>(where.closure_v)]);
+  return say("{} × {}", say(words[static_cast<std::size_t>(where.closure_u)]),
+             say(words[static_cast<std::size_t>(where.closure_v)]));
 }
 
 void draw_readout(Frame& frame, float left, float y, const ModelSurfaceFigure& figure) {

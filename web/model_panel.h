@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The model surface's part of the panel: whether its directions are closed, and the place under the pointer.
 
-std::string size_text(const Frame& frame, const ModelSurfaceFigure& figure);
+Sentence size_text(const Frame& frame, const ModelSurfaceFigure& figure);
 inline Tools tools_of(const Frame&, const ModelSurfaceFigure&) { return {}; }
 inline void draw_rows(Frame&, Column&, const ModelSurfaceFigure&) {}
 inline bool has_table(const ModelSurfaceFigure&) { return false; }

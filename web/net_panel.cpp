@@ -13,7 +13,7 @@ namespace {
 
 using scene::NetDirection;
 
-constexpr std::string_view words_point = "point", words_at = "under the pointer", words_tap = "at the tap";
+constexpr std::string_view words_at = "under the pointer", words_tap = "at the tap";
 constexpr float strip_gap = 46;     // between the two strips
 constexpr float strip_header = 26;  // over a strip: the direction and its buttons
 
@@ -38,14 +38,14 @@ void line_buttons(Frame& frame, const Rect& place, const scene::BSplineSurfaceOb
   const Theme& theme = frame.input.theme;
   const float middle = place.y + strip_header / 2, size = frame.ui.touch ? 36.0F : 26.0F;
   const int count = scene::line_count(object, direction);
-  text(frame.ui, Face::bold, {place.x, middle}, colour(theme.ink), along_u ? "u" : "v");
+  text(frame.ui, Face::bold, {place.x, middle}, colour(theme.ink), as_is(along_u ? "u" : "v"));
   // On a narrow phone the number has to do, before the buttons begin.
-  std::string lines = std::to_string(count) + (along_u ? " rows" : " columns");
-  if (14 + text_width(frame.ui, Face::small, lines) > place.width - 2 * size + 8) lines = std::to_string(count);
+  Sentence lines = say(along_u ? "{} rows" : "{} columns", count);
+  if (14 + text_width(frame.ui, Face::small, lines) > place.width - 2 * size + 8) lines = say("{}", count);
   text(frame.ui, Face::small, {place.x + 14, middle}, colour(theme.ink_soft), lines);
   const auto button = [&](int slot, std::string_view id, Icon icon, bool enabled, std::string_view hint) {
     const Rect rect{place.x + place.width - size * static_cast<float>(2 - slot), middle - size / 2, size, size};
-    return icon_button(frame.ui, id, rect, icon, enabled, hint);
+    return icon_button(frame.ui, id, rect, icon, enabled, say(hint));
   };
   if (button(0, along_u ? "add row" : "add column", Icon::add, count < scene::max_net,
              along_u ? "Add a row: the surface stays as it is" : "Add a column: the surface stays as it is")) {
@@ -88,8 +88,8 @@ void direction_strip(Frame& frame, const Rect& place, const scene::CurveFigure& 
 
 }  // namespace
 
-std::string size_text(const Frame&, const NetSurfaceFigure& figure) {
-  return std::to_string(figure.shown.rows) + " × " + std::to_string(figure.shown.columns) + " points";
+Sentence size_text(const Frame&, const NetSurfaceFigure& figure) {
+  return say("{} × {} points", figure.shown.rows, figure.shown.columns);
 }
 
 float strip_height(const Frame& frame, const NetSurfaceFigure&) {
@@ -114,12 +114,12 @@ void draw_readout(Frame& frame, float left, float y, const NetSurfaceFigure& fig
   if (selected) {
     list.AddCircleFilled({left + 5, y}, 5, colour(hue_of(frame, *object, *selected)));
     text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-         std::string(words_point) + " " + std::to_string(selected->first) + ", " + std::to_string(selected->second));
+         say("point {}, {}", selected->first, selected->second));
     y += 26;
   }
   if (!frame.input.pointed) return;
   if (selected) {
-    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), frame.ui.touch ? words_tap : words_at);
+    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(frame.ui.touch ? words_tap : words_at));
     y += 18;
   }
   const BSplineSurface& surface = figure.shown.surface;

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The B-spline surface's part of the panel.
 
-std::string size_text(const Frame& frame, const NetSurfaceFigure& figure);
+Sentence size_text(const Frame& frame, const NetSurfaceFigure& figure);
 inline Tools tools_of(const Frame&, const NetSurfaceFigure&) { return {}; }
 inline void draw_rows(Frame&, Column&, const NetSurfaceFigure&) {}
 inline bool has_table(const NetSurfaceFigure&) { return false; }

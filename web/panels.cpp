@@ -58,6 +58,9 @@ constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 constexpr float padding = 16;       ///< inside the card
 constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
 constexpr float combo_margin = 40;  ///< beside the words of a closed list
+constexpr float label_line = 20;        ///< of a label above its choices
+constexpr float label_gap = 10;         ///< between a label and its slider
+constexpr float longest_label = 0.52F;  ///< of a row: the slider needs the rest
 
 // Measures that a finger needs larger.
 float row_height(const Frame& frame) { return frame.ui.touch ? 44.0F : 30.0F; }
@@ -119,8 +122,7 @@ std::string_view why_disabled(const Frame& frame, const Parameter& parameter) {
 /// The reason why a row cannot be changed, shown while the pointer rests on it.
 void hint_if_hovered(Frame& frame, const Rect& rect, std::string_view reason) {
   if (reason.empty() || !ImGui::IsWindowHovered()) return;
-  if (ImGui::IsMouseHoveringRect(rect.min(), rect.max()))
-    frame.ui.hint = Widget{std::string(reason), {rect.x, rect.y, rect.width, rect.height}};
+  if (ImGui::IsMouseHoveringRect(rect.min(), rect.max())) set_hint(frame.ui, say(reason), rect);
 }
 
 void take_slider(Frame& frame, const Parameter& parameter, const SliderEvent& event) {
@@ -143,7 +145,7 @@ SliderScale scale_of(Frame& frame, const Parameter& parameter, double value) {
   return scale;
 }
 
-void number_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
+void number_row(Frame& frame, Column& column, const Parameter& parameter, Said label) {
   const float height = slider_height(frame), values = frame.ui.touch ? 44.0F : 38.0F;
   const float labels = column.labels;
   const Rect row{column.x, column.y, column.width, height};
@@ -155,9 +157,10 @@ void number_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   take_slider(frame, parameter, event);
 
   const float middle = row.y + height / 2, strength = enabled ? 1 : 0.5F;
-  text(frame.ui, Face::regular, {row.x, middle}, colour(frame.input.theme.ink_soft, strength), label);
+  fitted_text(frame.ui, Face::regular, {row.x, middle}, colour(frame.input.theme.ink_soft, strength), label,
+              labels - label_gap);
   text(frame.ui, Face::regular, {row.x + row.width, middle}, colour(frame.input.theme.ink, strength),
-       value_text(parameter, event.value), Align::right);
+       as_is(value_text(parameter, event.value)), Align::right);
   hint_if_hovered(frame, row, reason);
   column.y += height;
 }
@@ -208,7 +211,7 @@ KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const 
   const float item = ui.touch ? 42.0F : 30.0F, edge = 6;
   float width = button.width;
   for (const scene::Choice& option : parameter.choices)
-    width = std::max(width, text_width(ui, Face::bold, option.label) + (curves ? 76.0F : 40.0F));
+    width = std::max(width, text_width(ui, Face::bold, say(option.label)) + (curves ? 76.0F : 40.0F));
   width = std::min(width, frame.stage.width - 16);
   const float wanted = item * static_cast<float>(parameter.choices.size()) + 2 * edge;
   Rect box{button.x + button.width - width, button.y + button.height + 4, width,
@@ -248,8 +251,8 @@ KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const 
     const std::span<const float> curve =
         curves ? std::span<const float>(frame.state.thumbnails[i]) : std::span<const float>();
     if (scrolls && i == present && ImGui::IsWindowAppearing()) ImGui::SetScrollY(y - box.y - (box.height - item) / 2);
-    if (menu_item(ui, id, {box.x + edge, y, items, item}, option.label, i == present,
-                  scene::refused_choice(frame.input.document, parameter, option.id), curve)) {
+    if (menu_item(ui, id, {box.x + edge, y, items, item}, say(option.label), i == present,
+                  say(scene::refused_choice(frame.input.document, parameter, option.id)), curve)) {
       if (i != present) set(frame, parameter, option.id);
       stays = false;
     }
@@ -265,7 +268,15 @@ KNOTWORK_LATER void choice_list(Frame& frame, const Parameter& parameter, const 
   ImGui::EndPopup();
 }
 
-void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
+/// English has few rows that stand without their labels, and none that would be taken for another; where words are
+/// longer there may be many.
+KNOTWORK_LATER void label_above(Frame& frame, Column& column, Said label) {
+  fitted_text(frame.ui, Face::small, {column.x, column.y + label_line / 2}, colour(frame.input.theme.ink_soft), label,
+              column.width);
+  column.y += label_line;
+}
+
+void choice_row(Frame& frame, Column& column, const Parameter& parameter, Said label) {
   const std::size_t present = chosen(frame, parameter);
   std::array<Segment, most_segments> places;
   std::span<Segment> segments;
@@ -273,7 +284,7 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
     segments = std::span(places).first(parameter.choices.size());
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const scene::Choice& option = parameter.choices[i];
-      segments[i] = {option.label, {parameter.id, option.id}, i == present};
+      segments[i] = {say(option.label), {parameter.id, option.id}, i == present};
       if (!segments[i].chosen) segments[i].refusal = scene::refused_choice(frame.input.document, parameter, option.id);
     }
   }
@@ -284,20 +295,23 @@ void choice_row(Frame& frame, Column& column, const Parameter& parameter, std::s
   if (as_list) {
     needed = 0;
     for (const scene::Choice& option : parameter.choices)
-      needed = std::max(needed, text_width(frame.ui, Face::regular, option.label) + combo_margin);
+      needed = std::max(needed, text_width(frame.ui, Face::regular, say(option.label)) + combo_margin);
   }
   // Words too wide to stand beside their label take the whole row; the words of choices speak for themselves.
   const bool alone = label.empty() || needed > column.width - column.labels;
   const float labels = alone ? 0 : column.labels;
-  if (!alone)
-    text(frame.ui, Face::regular, {column.x, column.y + height / 2}, colour(frame.input.theme.ink_soft), label);
+  if (!alone) {
+    fitted_text(frame.ui, Face::regular, {column.x, column.y + height / 2}, colour(frame.input.theme.ink_soft), label,
+                labels - label_gap / 2);
+  } else if (translates() && !label.empty()) {
+    label_above(frame, column, label);
+  }
 
   Rect rect{column.x + labels, column.y, column.width - labels, height};
   if (frame.ui.touch) rect = {rect.x, rect.y + 2, rect.width, rect.height - 4};
   if (as_list) {
     const Words popup = Words().add(parameter.id).add(" list");
-    const std::string_view name =
-        present < parameter.choices.size() ? std::string_view(parameter.choices[present].label) : std::string_view();
+    const Said name = present < parameter.choices.size() ? say(parameter.choices[present].label) : as_is("");
     if (combo_button(frame.ui, parameter.id, rect, name, ImGui::IsPopupOpen(popup.c_str())))
       ImGui::OpenPopup(popup.c_str());
     if (ImGui::IsPopupOpen(popup.c_str())) choice_list(frame, parameter, rect, popup);
@@ -311,7 +325,9 @@ void chip_rows(Frame& frame, Column& column, std::span<const Parameter* const> t
   const float height = frame.ui.touch ? 44.0F : 26.0F, gap = 6, line = frame.ui.touch ? 0 : gap;
   float x = column.x;
   for (const Parameter* toggle : toggles) {
-    const float width = std::ceil(text_width(frame.ui, Face::small, toggle->label)) + (frame.ui.touch ? 28.0F : 20.0F);
+    const Said label = say(toggle->label);
+    const float width =
+        std::min(std::ceil(text_width(frame.ui, Face::small, label)) + (frame.ui.touch ? 28.0F : 20.0F), column.width);
     if (x > column.x && x + width > column.x + column.width) {
       x = column.x;
       column.y += height + line;
@@ -319,14 +335,14 @@ void chip_rows(Frame& frame, Column& column, std::span<const Parameter* const> t
     const Rect rect{x, column.y, width, height};
     const std::string_view reason = why_disabled(frame, *toggle);
     const bool on = switched_on(frame, *toggle);
-    if (chip(frame.ui, toggle->id, rect, toggle->label, on, reason.empty())) set(frame, *toggle, !on);
+    if (chip(frame.ui, toggle->id, rect, label, on, reason.empty())) set(frame, *toggle, !on);
     hint_if_hovered(frame, rect, reason);
     x += width + gap;
   }
   column.y += height + line;
 }
 
-void parameter_row(Frame& frame, Column& column, const Parameter& parameter, std::string_view label) {
+void parameter_row(Frame& frame, Column& column, const Parameter& parameter, Said label) {
   if (parameter.kind == ParameterKind::choice)
     choice_row(frame, column, parameter, label);
   else if (parameter.kind == ParameterKind::toggle) {
@@ -343,17 +359,19 @@ void rule(Frame& frame, Column& column, float space) {
   column.y += space + 1;
 }
 
-void heading(Frame& frame, Column& column, std::string_view words) {
-  text(frame.ui, Face::bold, {column.x, column.y + 12}, colour(frame.input.theme.ink), words);
+void heading(Frame& frame, Column& column, Said words) {
+  fitted_text(frame.ui, Face::bold, {column.x, column.y + 12}, colour(frame.input.theme.ink), words, column.width);
   column.y += 27;
 }
 
 void title_row(Frame& frame, Column& column, float right) {
   const float middle = column.y + 10;
-  text(frame.ui, Face::bold, {column.x, middle}, colour(frame.input.theme.ink),
-       scene::shape_kinds()[frame.shape().index()].label);
-  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft),
-       size_text(frame), Align::right);
+  const Sentence size = size_text(frame);
+  const float room = column.width - right - text_width(frame.ui, Face::regular, size) - 10;
+  fitted_text(frame.ui, Face::bold, {column.x, middle}, colour(frame.input.theme.ink),
+              say(scene::shape_kinds()[frame.shape().index()].label), room);
+  text(frame.ui, Face::regular, {column.x + column.width - right, middle}, colour(frame.input.theme.ink_soft), size,
+       Align::right);
   column.y += 30;
 }
 
@@ -370,11 +388,14 @@ bool is_own_measure(const Frame& frame, const Parameter& parameter) {
 void parameter_rows(Frame& frame, Column& column, std::span<const Parameter* const> rows) {
   column.labels = label_width(frame);
   for (const Parameter* row : rows)
-    if (row->kind == ParameterKind::number || row->kind == ParameterKind::integer)
-      column.labels = std::max(column.labels, std::ceil(text_width(frame.ui, Face::regular, row->label)) + 10);
+    if (row->kind == ParameterKind::number || row->kind == ParameterKind::integer ||
+        (row->kind == ParameterKind::choice && translates()))
+      column.labels =
+          std::max(column.labels, std::ceil(text_width(frame.ui, Face::regular, say(row->label))) + label_gap);
+  column.labels = std::min(column.labels, std::round(longest_label * column.width));
   for (const Parameter* row : rows) {
     if (row->id == "blending.function") column.y += 4;
-    parameter_row(frame, column, *row, row->label);
+    parameter_row(frame, column, *row, say(row->label));
   }
 }
 
@@ -419,7 +440,7 @@ KNOTWORK_LATER void other_parts(Frame& frame, Column& column) {
     const bool headed =
         toggles.size() + rows.size() > 1 && (!toggles.empty() || rows.front()->kind == ParameterKind::choice);
     column.y += group == groups.front() ? 0 : 8;
-    if (headed) heading(frame, column, group);
+    if (headed) heading(frame, column, say(group));
     if (!toggles.empty()) chip_rows(frame, column, {toggles.begin(), toggles.size()});
     parameter_rows(frame, column, {rows.begin(), rows.size()});
   }
@@ -461,7 +482,7 @@ void card(Frame& frame) {
   rule(frame, column, 4);
   const float share = smooth(eased(frame.ui, frame.state.more_share, frame.state.show_more ? 1.0F : 0.0F, 0.15F));
   if (fold_button(frame.ui, "more", {column.x, column.y, column.width, 28},
-                  frame.has_clock() ? words::more : words::display, frame.state.show_more)) {
+                  say(frame.has_clock() ? words::more : words::display), frame.state.show_more)) {
     frame.state.show_more = !frame.state.show_more;
     frame.ui.wants_frame = true;
   }
@@ -471,7 +492,7 @@ void card(Frame& frame) {
   if (share > 0) {
     other_parts(frame, column);
     if (has_table(frame) && !frame.tall()) {
-      heading(frame, column, words::domain);
+      heading(frame, column, say(words::domain));
       draw_table(frame, column);
     }
     column.y += 10;
@@ -487,22 +508,15 @@ void card(Frame& frame) {
   ImGui::End();
 }
 
+/// Of undo, redo, what the figure's kind has, and the view.
+float tools_width(const Frame& frame) {
+  return (frame.ui.touch ? 40.0F : 32.0F) * static_cast<float>(3 + tools_of(frame).size());
+}
+
 /// The phone's form of the panel: a sheet over the stage's lower part.
-void drawer(Frame& frame) {
+KNOTWORK_LATER void open_drawer(Frame& frame, float share, bool appears) {
   PanelState& state = frame.state;
   const Rect& stage = frame.stage;
-  const bool appears = state.drawer_open && state.drawer_share == 0;
-  const float share = smooth(eased(frame.ui, state.drawer_share, state.drawer_open ? 1.0F : 0.0F, 0.16F));
-  if (share < 1) {
-    const float width = text_width(frame.ui, Face::bold, words::controls) + 50;
-    const Rect pill{stage.width - width - 12, 8, width, 44};
-    begin(frame, "controls", {pill.x - 4, pill.y, pill.width + 8, pill.height + 4}, ImGuiWindowFlags_NoScrollbar);
-    if (pill_button(frame.ui, "controls", pill, Icon::sliders, words::controls)) state.drawer_open = true;
-    ImGui::End();
-  }
-  if (state.drawer_open && state.drawer_share == 0) frame.ui.wants_frame = true;
-  if (share <= 0) return;
-
   const float height = std::round(stage.height * 0.6F);
   const Rect rect{0, std::round(stage.height - height * share), stage.width, height};
   // Above the clock, which is the window last touched when someone has just played.
@@ -513,7 +527,7 @@ void drawer(Frame& frame) {
   Column head{rect.x + padding, rect.width - 2 * padding, rect.y + 14};
   title_row(frame, head, 44);
   if (icon_button(frame.ui, "controls", {rect.x + rect.width - 52, rect.y + 2, 44, 44}, Icon::close, true,
-                  words::controls))
+                  say(words::controls)))
     state.drawer_open = false;
 
   const Rect body{rect.x, rect.y + 48, rect.width, stage.height - rect.y - 48};
@@ -539,9 +553,21 @@ void drawer(Frame& frame) {
   ImGui::End();
 }
 
-/// Undo, redo, what the figure's kind has, and the view; returns the width.
-float tools_width(const Frame& frame) {
-  return (frame.ui.touch ? 40.0F : 32.0F) * static_cast<float>(3 + tools_of(frame).size());
+/// The button that opens it, while it is not open.
+void drawer(Frame& frame) {
+  PanelState& state = frame.state;
+  const Rect& stage = frame.stage;
+  const bool appears = state.drawer_open && state.drawer_share == 0;
+  const float share = smooth(eased(frame.ui, state.drawer_share, state.drawer_open ? 1.0F : 0.0F, 0.16F));
+  if (share < 1) {
+    const float width = std::min(text_width(frame.ui, Face::bold, say(words::controls)) + 50, stage.width - tools_width(frame) - 28);
+    const Rect pill{stage.width - width - 12, 8, width, 44};
+    begin(frame, "controls", {pill.x - 4, pill.y, pill.width + 8, pill.height + 4}, ImGuiWindowFlags_NoScrollbar);
+    if (pill_button(frame.ui, "controls", pill, Icon::sliders, say(words::controls))) state.drawer_open = true;
+    ImGui::End();
+  }
+  if (state.drawer_open && state.drawer_share == 0) frame.ui.wants_frame = true;
+  if (share > 0) open_drawer(frame, share, appears);
 }
 
 void tools(Frame& frame, float x, float middle) {
@@ -550,14 +576,14 @@ void tools(Frame& frame, float x, float middle) {
   int count = 0;
   const auto place = [&] { return Rect{x + size * static_cast<float>(count++), middle - size / 2, size, size}; };
   const PanelInput& input = frame.input;
-  output.undo = icon_button(frame.ui, "undo", place(), Icon::undo, input.can_undo, words::undo);
-  output.redo = icon_button(frame.ui, "redo", place(), Icon::redo, input.can_redo, words::redo);
+  output.undo = icon_button(frame.ui, "undo", place(), Icon::undo, input.can_undo, say(words::undo));
+  output.redo = icon_button(frame.ui, "redo", place(), Icon::redo, input.can_redo, say(words::redo));
   for (Tool& tool : tools_of(frame)) {
-    if (!icon_button(frame.ui, tool.id, place(), tool.icon, tool.enabled, tool.hint)) continue;
+    if (!icon_button(frame.ui, tool.id, place(), tool.icon, tool.enabled, say(tool.hint))) continue;
     if (tool.command) output.commands.push_back(std::move(*tool.command));
     if (!tool.key.empty()) output.keys.emplace_back(tool.key);
   }
-  output.frame_all = icon_button(frame.ui, "frame", place(), Icon::frame, true, words::frame);
+  output.frame_all = icon_button(frame.ui, "frame", place(), Icon::frame, true, say(words::frame));
 }
 
 /// The figure's plot at the stage's foot, and below it the buttons where no clock has them.
@@ -596,7 +622,7 @@ void clock(Frame& frame) {
     right -= 10;
     const double pace = number(frame, *speed);
     right -= 34;
-    text(frame.ui, Face::small, {right + 8, middle}, colour(theme.ink_soft), value_text(*speed, pace));
+    text(frame.ui, Face::small, {right + 8, middle}, colour(theme.ink_soft), as_is(value_text(*speed, pace)));
     const float width = frame.stage.width >= wide_stage ? 72.0F : 52.0F;
     const SliderEvent event =
         slider(frame.ui, speed->id, {right - width, middle - 16, width, 32}, scale_of(frame, *speed, pace), pace);
@@ -606,7 +632,7 @@ void clock(Frame& frame) {
     right -= 4;
   }
   const double now = number(frame, *time);
-  text(frame.ui, Face::regular, {right, middle}, colour(theme.ink_soft), text_of("%.1f s", now), Align::right);
+  text(frame.ui, Face::regular, {right, middle}, colour(theme.ink_soft), as_is(text_of("%.1f s", now)), Align::right);
   right -= 50;
   const float left = rect.x + 52;
   SliderScale scale = scale_of(frame, *time, now);
@@ -621,7 +647,7 @@ void labels(Frame& frame) {
   begin(frame, "labels", frame.stage, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
   for (const StageLabel& label : frame.input.labels)
     text(frame.ui, Face::regular, {static_cast<float>(label.place.x), static_cast<float>(label.place.y)},
-         colour(as_text(frame.input.theme, label.colour)), label.words, Align::centre);
+         colour(as_text(frame.input.theme, label.colour)), as_is(label.words), Align::centre);
   ImGui::End();
 }
 
@@ -651,12 +677,12 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = place.y + 8;
   if (lines) {
-    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), words::slopes);
+    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(words::slopes));
     y += 18;
   }
   if (curved) {
     text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
-         quality.shading == scene::Shading::mean ? words::mean : words::gaussian);
+         say(quality.shading == scene::Shading::mean ? words::mean : words::gaussian));
     const CurvatureColours colours;
     constexpr int parts = 44;
     const float top = y + 9, part = width / parts;
@@ -671,18 +697,18 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
     }
     const std::string end = text_of("%.3g", quality.scale);
     if (quality.known) {
-      text(frame.ui, Face::small, {left, top + 19}, colour(theme.ink), "−" + end);
-      text(frame.ui, Face::small, {left + width, top + 19}, colour(theme.ink), end, Align::right);
+      text(frame.ui, Face::small, {left, top + 19}, colour(theme.ink), as_is("−" + end));
+      text(frame.ui, Face::small, {left + width, top + 19}, colour(theme.ink), as_is(end), Align::right);
     }
-    text(frame.ui, Face::small, {left + width / 2, top + 19}, colour(theme.ink), "0", Align::centre);
+    text(frame.ui, Face::small, {left + width / 2, top + 19}, colour(theme.ink), as_is("0"), Align::centre);
     y = top + 36;
   }
   if (!quality.known) return ImGui::End();
-  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), quality.words);
+  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), as_is(quality.words));
   ImGui::End();
 }
 
-KNOTWORK_LATER void draw_notice(Frame& frame, const std::string& words, float share) {
+KNOTWORK_LATER void draw_notice(Frame& frame, Said words, float share) {
   const Theme& theme = frame.input.theme;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   sharpen(frame.ui, list);
@@ -701,10 +727,13 @@ KNOTWORK_LATER void draw_notice(Frame& frame, const std::string& words, float sh
 
 void notice(Frame& frame) {
   PanelState& state = frame.state;
-  if (!frame.input.notice.empty()) state.last_notice = frame.input.notice;
+  if (!frame.input.notice.empty() && frame.input.notice != state.last_notice) {
+    state.last_notice = frame.input.notice;
+    state.shown_notice = say_once(state.last_notice);
+  }
   const float share = smooth(eased(frame.ui, state.notice_share, frame.input.notice.empty() ? 0.0F : 1.0F, 0.15F));
   if (share <= 0 || state.last_notice.empty()) return;
-  draw_notice(frame, state.last_notice, share);
+  draw_notice(frame, as_is(state.shown_notice), share);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ void plot_axis(Interface& ui, const Plot& plot) {
   const auto mark = [&](double value, std::string_view sign = {}) {
     const float y = plot.y_of(value);
     ImGui::GetWindowDrawList()->AddLine({plot.area.x - 5, y}, {plot.area.x, y}, ink, 1.2F);
-    text(ui, Face::small, {plot.area.x - 8, y}, ink, std::string(sign) + plot_number(value), Align::right);
+    text(ui, Face::small, {plot.area.x - 8, y}, ink, as_is(std::string(sign) + plot_number(value)), Align::right);
   };
   if (plot.high > 0) mark(plot.high, plot.high_cut ? "≥ " : "");
   if (plot.low < 0) mark(plot.low, plot.low_cut ? "≤ " : "");
@@ -129,7 +129,7 @@ void plot_axis(Interface& ui, const Plot& plot) {
   if (room) mark(0);
 }
 
-void plot_level(Interface& ui, const Plot& plot, double value, double from, double to, std::string_view words) {
+void plot_level(Interface& ui, const Plot& plot, double value, double from, double to, Said words) {
   const ImU32 ink = colour(ui.theme.ink_soft);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = plot.y_of(value), end = plot.x_of(to);
@@ -137,7 +137,7 @@ void plot_level(Interface& ui, const Plot& plot, double value, double from, doub
   text(ui, Face::small, {plot.x_of(plot.end), y - 9}, ink, words, Align::right);
 }
 
-float plot_legend(Interface& ui, ImVec2 at, std::string_view words, const Colour& hue) {
+float plot_legend(Interface& ui, ImVec2 at, Said words, const Colour& hue) {
   ImGui::GetWindowDrawList()->AddLine(at, {at.x + 12, at.y}, colour(hue), 2);
   text(ui, Face::small, {at.x + 17, at.y}, colour(as_text(ui.theme, hue)), words);
   return at.x + 17 + text_width(ui, Face::small, words) + 16;
@@ -174,7 +174,7 @@ void plot_knot(Interface& ui, const Plot& plot, double t, int multiplicity, bool
   }
 }
 
-void plot_knot_name(Interface& ui, const Plot& plot, double t, std::string_view name, float& taken) {
+void plot_knot_name(Interface& ui, const Plot& plot, double t, Said name, float& taken) {
   const float width = text_width(ui, Face::small, name), x = plot.x_of(t);
   if (x - width / 2 < taken + 6) return;
   text(ui, Face::small, {x, plot.area.y + plot.area.height + plot_knot_foot - 5}, colour(ui.theme.ink_soft), name,

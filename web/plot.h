@@ -47,9 +47,9 @@ void plot_axis(Interface& ui, const Plot& plot);
 /// The zero line alone.
 void plot_ground(Interface& ui, const Plot& plot);
 /// A dotted line at a value from `from` to `to`, with words at its right end: "sum 1".
-void plot_level(Interface& ui, const Plot& plot, double value, double from, double to, std::string_view words);
+void plot_level(Interface& ui, const Plot& plot, double value, double from, double to, Said words);
 /// What the lines mean: words in their hues, from x to the right. Returns where the next ones may begin.
-float plot_legend(Interface& ui, ImVec2 at, std::string_view words, const Colour& hue);
+float plot_legend(Interface& ui, ImVec2 at, Said words, const Colour& hue);
 /// Where the parameter is: a line through the whole plot, and dots on the lines.
 void plot_parameter(Interface& ui, const Plot& plot, double t);
 void plot_dot(const Plot& plot, double t, double value, const Colour& hue);
@@ -67,6 +67,6 @@ inline constexpr float plot_knot_foot = 40;  ///< CSS pixels that triangles and 
 /// Triangles for a knot, stacked as often as it is multiple; paler where it cannot be moved.
 void plot_knot(Interface& ui, const Plot& plot, double t, int multiplicity, bool movable, bool hovered);
 /// Their names in a row, as far as they keep apart: call in ascending order with one `taken`, at first far to the left.
-void plot_knot_name(Interface& ui, const Plot& plot, double t, std::string_view name, float& taken);
+void plot_knot_name(Interface& ui, const Plot& plot, double t, Said name, float& taken);
 
 }  // namespace knotwork::web

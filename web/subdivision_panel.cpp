@@ -27,12 +27,11 @@ bool point_selected(const Frame& frame, const scene::SubdivisionFigure& figure) 
 }
 
 /// What the present step is.
-std::string step_text(const scene::SubdivisionCurveObject& object, const scene::SubdivisionFigure& figure) {
-  const std::string level = "level " + std::to_string(figure.level);
-  if (figure.pass == 0) return level;
-  const std::string way = level + " to " + std::to_string(figure.level + 1);
-  if (figure.pass == 1) return way + ": split";
-  return way + ": average " + std::to_string(figure.pass - 1) + " of " + std::to_string(object.degree);
+Sentence step_text(const scene::SubdivisionCurveObject& object, const scene::SubdivisionFigure& figure) {
+  const int level = figure.level;
+  if (figure.pass == 0) return say("level {}", level);
+  if (figure.pass == 1) return say("level {} to {}: split", level, level + 1);
+  return say("level {} to {}: average {} of {}", level, level + 1, figure.pass - 1, object.degree);
 }
 
 float buttons_height(const Frame& frame) { return frame.ui.touch ? 40.0F : 34.0F; }
@@ -48,20 +47,21 @@ void draw_walk(Frame& frame, const Rect& row, const scene::SubdivisionFigure& fi
   float x = row.x - 8;
   const auto place = [&] { return Rect{std::exchange(x, x + size), row.y, size, size}; };
   const bool back = object.step > 0 || object.fraction > 0, on = object.step < scene::step_count(object);
-  if (icon_button(frame.ui, "step back", place(), Icon::back, back, walk_words::back))
+  if (icon_button(frame.ui, "step back", place(), Icon::back, back, say(walk_words::back)))
     set_number(frame, "subdivision.step", object.fraction > 0 ? object.step : object.step - 1);
-  if (icon_button(frame.ui, "step on", place(), Icon::onwards, on, walk_words::on))
+  if (icon_button(frame.ui, "step on", place(), Icon::onwards, on, say(walk_words::on)))
     set_number(frame, "subdivision.step", object.step + 1);
   if (icon_button(frame.ui, "walk", place(), walks ? Icon::pause : Icon::play, scene::step_count(object) > 0,
-                  walks ? walk_words::stop : walk_words::walk))
+                  say(walks ? walk_words::stop : walk_words::walk)))
     frame.output.commands.emplace_back(scene::SetParameter{"animation.playing", !walks});
-  text(frame.ui, Face::bold, {x + 8, row.y + size / 2}, colour(frame.input.theme.ink), step_text(object, figure));
+  fitted_text(frame.ui, Face::bold, {x + 8, row.y + size / 2}, colour(frame.input.theme.ink), step_text(object, figure),
+              row.x + row.width - x - 8);
 }
 
 }  // namespace
 
-std::string size_text(const Frame&, const scene::SubdivisionFigure& figure) {
-  return std::to_string(figure.points.size()) + " points";
+Sentence size_text(const Frame&, const scene::SubdivisionFigure& figure) {
+  return say("{} points", figure.points.size());
 }
 
 Tools tools_of(const Frame& frame, const scene::SubdivisionFigure& figure) {
@@ -84,14 +84,15 @@ void draw_strip(Frame& frame, const Rect& place, const scene::SubdivisionFigure&
   const Rect plot{place.x - 24, place.y + buttons, place.width + 24, place.height - buttons};
   const scene::SubdivisionCurveObject& object = walked(frame);
   if (object.degree == 1) {
-    text(frame.ui, Face::regular, plot.centre(), colour(theme.ink_soft), walk_words::exact, Align::centre);
+    fitted_text(frame.ui, Face::regular, plot.centre(), colour(theme.ink_soft), say(walk_words::exact), plot.width,
+                Align::centre);
     return;
   }
-  std::array<LogSeries, 1> series{{{"distance of the vertices to the limit", theme.ink, {}}}};
+  std::array<LogSeries, 1> series{{{say("distance of the vertices to the limit"), theme.ink, {}}}};
   for (const scene::SubdivisionFigure::LevelDistance& distance : figure.distances)
     series[0].values.emplace_back(distance.level, distance.maximum);
   const LogPlotEvent event =
-      log_plot(frame.ui, "levels", plot, {.series = series, .number_name = "level", .marked = figure.level});
+      log_plot(frame.ui, "levels", plot, {.series = series, .number_name = say("level"), .marked = figure.level});
   if (event.taken) take_gesture(frame);
   if (event.number && *event.number != figure.level) {
     const int level = std::min(*event.number, scene::most_levels(object));
@@ -106,15 +107,15 @@ void draw_strip(Frame& frame, const Rect& place, const scene::SubdivisionFigure&
 void draw_readout(Frame& frame, float left, float y, const scene::SubdivisionFigure& figure) {
   const Theme& theme = frame.input.theme;
   frame.output.readouts.push_back({0, 0, left + (frame.ui.touch ? 120.0 : 170.0), y + 32.0});
-  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), std::to_string(figure.polygon.size()) + " vertices");
+  text(frame.ui, Face::bold, {left, y}, colour(theme.ink), say("{} vertices", figure.polygon.size()));
   y += 20;
   const auto level = static_cast<std::size_t>(figure.level);
   if (figure.pass == 0 && level < figure.distances.size())
     text(frame.ui, Face::regular, {left, y}, colour(theme.ink_soft),
-         text_of("%.2g", figure.distances[level].maximum) + " from the limit");
+         say("{} from the limit", text_of("%.2g", figure.distances[level].maximum)));
   if (!frame.input.drawing) return;
   y += 22;
-  text(frame.ui, Face::bold, {left, y}, colour(theme.accent), walk_words::drawing);
+  text(frame.ui, Face::bold, {left, y}, colour(theme.accent), say(walk_words::drawing));
 }
 
 }  // namespace knotwork::web

@@ -6,7 +6,7 @@ namespace knotwork::web {
 
 // The part of the panel that subdivision curves have.
 
-std::string size_text(const Frame& frame, const scene::SubdivisionFigure& figure);
+Sentence size_text(const Frame& frame, const scene::SubdivisionFigure& figure);
 /// Draw the polygon by hand; add and delete a point.
 Tools tools_of(const Frame& frame, const scene::SubdivisionFigure& figure);
 inline void draw_rows(Frame&, Column&, const scene::SubdivisionFigure&) {}

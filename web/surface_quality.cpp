@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "web/language.h"
 #include "web/words.h"
 
 namespace knotwork::web {
@@ -31,14 +32,14 @@ void find_fault(SurfaceQuality& quality, const std::vector<SurfaceJoint>& joints
 }
 
 std::string fault_text(const SurfaceQuality& quality) {
-  if (quality.fault == SurfaceFault::none) return "at knots: no jump up to curvature";
+  if (quality.fault == SurfaceFault::none) return std::string(say("at knots: no jump up to curvature"));
   const SurfaceJoint& worst = quality.worst;
-  std::string text = quality.fault == SurfaceFault::kink ? "kink of " + text_of("%.1f", worst.kink / degree) + "°"
-                                                         : "curvature jumps by " + text_of("%.2g", worst.bend);
-  text += (worst.along_v ? " at u = " : " at v = ") + text_of("%.3g", worst.parameter);
-  if (quality.others > 0)
-    text += " and " + std::to_string(quality.others) + (quality.others > 1 ? " more knots" : " more knot");
-  return text;
+  const std::string place = (worst.along_v ? "u = " : "v = ") + text_of("%.3g", worst.parameter);
+  const std::string text(quality.fault == SurfaceFault::kink
+                             ? say("kink of {}° at {}", text_of("%.1f", worst.kink / degree), place)
+                             : say("curvature jumps by {} at {}", text_of("%.2g", worst.bend), place));
+  if (quality.others == 0) return text;
+  return std::string(say(quality.others > 1 ? "{} and {} more knots" : "{} and {} more knot", text, quality.others));
 }
 
 }  // namespace knotwork::web

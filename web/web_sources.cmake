@@ -14,6 +14,7 @@ set(KNOTWORK_WEB_LOGIC_SOURCES
   gizmo.cpp
   holding.cpp
   interaction.cpp
+  language.cpp
   model_curve_ornaments.cpp
   model_ornaments.cpp
   net_ornaments.cpp

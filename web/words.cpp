@@ -29,7 +29,9 @@ std::string subscript(int number) {
 }
 
 Words& Words::add(std::string_view words) {
-  const std::size_t fits = std::min(words.size(), text_.size() - 1 - size_);
+  std::size_t fits = std::min(words.size(), text_.size() - 1 - size_);
+  // Not in the middle of a character's bytes.
+  while (fits > 0 && fits < words.size() && (static_cast<unsigned char>(words[fits]) & 0xC0U) == 0x80) --fits;
   std::copy_n(words.begin(), fits, text_.begin() + static_cast<std::ptrdiff_t>(size_));
   size_ += fits;
   return *this;

@@ -14,7 +14,8 @@ std::string superscript(int number);
 /// Figures below the line: "₁₂". Precondition: number >= 0.
 std::string subscript(int number);
 
-/// A few words put together without asking for memory; what is longer than 63 bytes is cut off.
+/// A few words put together without asking for memory; what is longer than 191 bytes is cut off between
+/// characters.
 class Words {
  public:
   Words& add(std::string_view words);
@@ -25,7 +26,7 @@ class Words {
   operator std::string_view() const { return {text_.data(), size_}; }  // NOLINT(google-explicit-constructor)
 
  private:
-  std::array<char, 64> text_{};  ///< with a zero behind the words
+  std::array<char, 192> text_{};  ///< with a zero behind the words
   std::size_t size_ = 0;
 };
 

@@ -13,6 +13,10 @@ export interface ModuleOptions {
   canvas: HTMLCanvasElement;
   instantiateWasm: Instantiate;
   onFrameNeeded(): void;
+  /// What the stage says, in the page's language; none for English.
+  say?(english: string): string;
+  /// Is told of all words that the stage draws.
+  hear?(words: string): void;
   print(text: string): void;
   printErr(text: string): void;
   onAbort(reason: unknown): void;

@@ -1,9 +1,10 @@
 import wasmUrl from '@module/knotwork.wasm?url';
 import regularUrl from '../generated/stage-400.ttf?url';
 import semiboldUrl from '../generated/stage-600.ttf?url';
-import type { EmscriptenModule } from './bridge';
+import type { EmscriptenModule, ModuleOptions } from './bridge';
 import { laterParts, type LaterParts } from './later_part';
 import { countBytes } from './progress';
+import { say } from './words';
 
 /// Why there is no module: the reader's browser, or the way to it.
 export class LoadError extends Error {
@@ -16,6 +17,14 @@ export class LoadError extends Error {
       options,
     );
   }
+}
+
+const language: Pick<ModuleOptions, 'say' | 'hear'> = __WORDS__ ? { say } : {};
+if (__WORDS__ === 'pseudo') {
+  // All words that the stage has drawn so far, for the tests of the disguise.
+  const heard = new Set<string>();
+  language.hear = (words) => void heard.add(words);
+  Object.assign(window, { heard });
 }
 
 /// Fetches script and WebAssembly side by side, compiles while bytes arrive, and reports the share that has come. The
@@ -32,6 +41,7 @@ export async function loadModule(
     create({
       canvas,
       onFrameNeeded,
+      ...language,
       instantiateWasm: (imports, done) => {
         const { later, last } = parts;
         const placeholders = { later: later.placeholders, last: last.placeholders };

@@ -55,6 +55,7 @@ async function begin(): Promise<void> {
       loadModule(canvas, () => stage?.request(), (share) => waiting && showProgress(share)),
       loadStageFonts(),
     ]);
+    if (__WORDS__) await parts.later.fetch();  // which knows of other languages
     start(new Bridge(module), parts, fonts);
   } catch (error) {
     waiting = false;

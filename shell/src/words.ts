@@ -1,12 +1,13 @@
 import type { Parameter } from './knotwork';
 import { pseudo } from './pseudo';
+import { filled, translation } from './translation';
 
 /// What the page's scripts say, in the page's language: English as it stands in the source is the key. `{}` in a
-/// sentence stands for a value. What has no translation is said in English.
+/// sentence stands for a value; a sentence that came with its values, as the module's do, is found by its form all the
+/// same. What has no translation is said in English.
 export function say(english: string, ...values: readonly (string | number)[]): string {
-  const words = translated(english);
-  let next = 0;
-  return values.length > 0 ? words.replace(/\{\}/g, () => String(values[next++])) : words;
+  const words = translate ? translate(english) : english;
+  return values.length > 0 ? filled(words, values) : words;
 }
 
 /// A row of the parameter table with its words in the page's language.
@@ -23,7 +24,4 @@ export function sayName(name: string): string {
   return say(kind) + indices;
 }
 
-function translated(english: string): string {
-  if (!__WORDS__) return english;
-  return __WORDS__ === 'pseudo' ? pseudo(english) : (__WORDS__[english] ?? english);
-}
+const translate = __WORDS__ === 'pseudo' ? pseudo : __WORDS__ ? translation(__WORDS__) : null;

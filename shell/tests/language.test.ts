@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { Language } from '../plugins/language';
 import { pseudo } from '../src/pseudo';
+import { filled, translation } from '../src/translation';
 import { say, sayName } from '../src/words';
 
 /// A shell's folder with a chapter in English and one that German has, too.
@@ -61,4 +62,33 @@ test('what scripts say in English is what stands in the source, with its values'
   assert.equal(say('{} of {} exercises solved', 1, 3), '1 of 3 exercises solved');
   assert.equal(say('Undo'), 'Undo');
   for (const name of ['Patch 2, 1', 'Local curve 12', 'Parameter']) assert.equal(sayName(name), name);
+});
+
+test('a sentence with its values is found by its form, and values have words of their own', () => {
+  const say = translation({
+    'Patch': 'Flicken', 'Undone: {}': 'Rückgängig: {}', '{} moved': '{} bewegt', 'open': 'offen', 'closed': 'geschlossen',
+    'from {} to {}': 'bis {2} von {1}', 'Two of {} (all?)': 'Zwei von {} (alle?)', '{} × {}': '{} mal {}',
+    '{} points, {} control points': '{} Punkte, {} Kontrollpunkte', '{} points': '{} Punkte', 'locals in {}': '{}: $& Lokale',
+  });
+  assert.equal(say('{} moved'), '{} bewegt');
+  assert.equal(say('Patch 2, 1 moved'), 'Flicken 2, 1 bewegt');
+  assert.equal(say('Undone: Patch 2, 1 moved'), 'Rückgängig: Flicken 2, 1 bewegt');
+  assert.equal(say('from open to closed'), 'bis geschlossen von offen');
+  assert.equal(say('Two of 7 (all?)'), 'Zwei von 7 (alle?)');
+  assert.equal(say('12 points, 5 control points'), '12 Punkte, 5 Kontrollpunkte');
+  assert.equal(say('locals in u'), 'u: $& Lokale');
+  for (const unknown of ['Knot 3', '2 × 3', 'It moved on', ' moved', 'toString', '', '0.5'])
+    assert.equal(say(unknown), unknown);
+});
+
+test('translated sentences are kept up to a limit, and stay right beyond it', () => {
+  const say = translation({ 'Line {}': 'Zeile {}' });
+  for (let k = 0; k < 1200; ++k) assert.equal(say(`Line ${k}`), `Zeile ${k}`);
+  assert.equal(say('Line 3'), 'Zeile 3');
+});
+
+test('values go where the language wants them, and what is missing stays open', () => {
+  assert.equal(filled('{} von {}', [1, 2]), '1 von 2');
+  assert.equal(filled('{2} von {1}', ['a', 'b']), 'b von a');
+  assert.equal(filled('{} von {}', [1]), '1 von {}');
 });
