@@ -63,11 +63,18 @@ void draw_blending_function(Frame& frame, Column& column, const BlendingFunction
 void draw_table(Frame& frame, Column& column, const BlendingFigure&) {
   const Theme& theme = frame.input.theme;
   const float line = 20, width = column.width;
-  const std::array<float, 4> ends{0.43F, 0.61F, 0.83F, 1};
+  std::array<float, 4> ends{0.43F, 0.61F, 0.83F, 1};  // of the width
   const std::array<std::string_view, 4> heads{words_domain, words_knots, words_patches, words_locals};
   const float first = column.x + 20;
+  // Longer heads have their columns move to the left, as far as the domains leave room.
+  constexpr float least_gap = 6, most_moved = 0.2F;
+  for (std::size_t k = 3; k > 1; --k)
+    ends[k - 1] = std::clamp(ends[k] - (text_width(frame.ui, Face::small, say(heads[k])) + least_gap) / width,
+                             (1 - most_moved) * ends[k - 1], ends[k - 1]);
+  ends[0] = std::min(ends[0], ends[1] - (text_width(frame.ui, Face::small, say(heads[1])) + least_gap) / width);
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    const float start = k == 0 ? first : column.x + ends[k - 1] * width + 2, end = column.x + ends[k] * width;
+    const float start = k == 0 ? first : column.x + ends[k - 1] * width + least_gap,
+                end = column.x + ends[k] * width - (k == 0 ? least_gap : 0);
     fitted_text(frame.ui, Face::small, {k == 0 ? first : end, column.y + 8}, colour(theme.ink_soft), say(heads[k]),
                 end - start, k == 0 ? Align::left : Align::right);
   }

@@ -298,7 +298,7 @@ void fitted_text(Interface& ui, Face face, ImVec2 position, ImU32 ink, Said word
 }
 
 float behind(const Interface& ui, Face face, float x, Said text, float usual) {
-  return std::max(usual, std::ceil(x + text_width(ui, face, text) + 10));
+  return std::max(usual, std::ceil(x + text_width(ui, face, text) + 6));
 }
 
 Paragraph balanced(const Interface& ui, Face face, Said text, float widest) {
