@@ -10,7 +10,8 @@ namespace knotwork::web {
 namespace {
 
 constexpr std::string_view words_reset = "Put all patches back", words_domain = "domain", words_knots = "knots",
-                           words_patches = "patches", words_locals = "locals", words_pointed = "under the pointer", words_tapped = "at the tap";
+                           words_patches = "patches", words_locals = "locals", words_pointed = "under the pointer",
+                           words_tapped = "at the tap";
 
 const scene::BlendingSurfaceObject& object_of(const Frame& frame) {
   return scene::blending_surface(frame.input.document);
@@ -46,7 +47,8 @@ void draw_blending_function(Frame& frame, Column& column, const BlendingFunction
     const double b = blending(*w)[0];
     left += "  " + text_of("%.2f", 1 - b);
     right = text_of("%.2f", b) + "  " + right;
-    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), as_is("w " + text_of("%.2f", *w)), Align::centre);
+    text(frame.ui, Face::small, {centre, middle}, colour(theme.ink_soft), as_is("w " + text_of("%.2f", *w)),
+         Align::centre);
   } else {
     ImGui::GetWindowDrawList()->AddRectFilled({centre - 14, middle - 4}, {centre - 4, middle + 4},
                                               colour(theme.ink, 0.12F), 2);
@@ -119,8 +121,7 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
     const scene::PatchIndex patch = *frame.input.selected;
     const Colour hue = scene::patch_hue(scene::patch_hue_index(object, patch), theme.dark);
     list.AddCircleFilled({left + 5, y}, 5, colour(hue));
-    text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink),
-         say("patch {}, {}", patch.first, patch.second));
+    text(frame.ui, Face::bold, {left + 16, y}, colour(theme.ink), say("patch {}, {}", patch.first, patch.second));
     y += 26;
   }
   if (share <= 0 || !state.last_probe) return;
@@ -141,7 +142,8 @@ void draw_readout(Frame& frame, float left, float y, const BlendingFigure& figur
     const float part = width * static_cast<float>(std::clamp(weight.value, 0.0, 1.0));
     if (part > 0.25F) list.AddRectFilled({x, y - height / 2}, {x + part, y + height / 2}, colour(hue, share));
     x += part;
-    text(frame.ui, Face::small, {word, y + 15}, colour(as_text(theme, hue), share), as_is(text_of("%.2f", weight.value)));
+    text(frame.ui, Face::small, {word, y + 15}, colour(as_text(theme, hue), share),
+         as_is(text_of("%.2f", weight.value)));
     word += 38;
   }
 }

@@ -49,8 +49,7 @@ void draw_readout(Frame& frame, float left, float y, const scene::CurveFigure& f
   const KnotVector& knots = figure.curve.knots();
   const double t = frame.input.pointed ? frame.input.pointed->x : figure.t;
   text(frame.ui, Face::bold, {left, y}, colour(theme.ink), as_is("t " + text_of("%.2f", t)));
-  text(frame.ui, Face::regular, {left + 74, y}, colour(theme.ink_soft),
-       say("span {}", knots.span(knots.reduced(t))));
+  text(frame.ui, Face::regular, {left + 74, y}, colour(theme.ink_soft), say("span {}", knots.span(knots.reduced(t))));
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
     const int multiplicity = mark.last - mark.first + 1;
     if (!mark.inner || multiplicity < 2) continue;

@@ -13,9 +13,9 @@
 #include "knotwork/curve/curve_measures.h"
 #include "knotwork/mesh/curvature_field.h"
 #include "web/curve_ornaments.h"
+#include "web/language.h"
 #include "web/model_curve_ornaments.h"
 #include "web/vectors.h"
-#include "web/language.h"
 #include "web/words.h"
 
 namespace knotwork::web {

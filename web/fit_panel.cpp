@@ -33,9 +33,7 @@ int possible(const scene::FitFigure& figure, int wanted) {
 
 }  // namespace
 
-Sentence size_text(const Frame&, const scene::FitFigure& figure) {
-  return say("{} points", figure.points.size());
-}
+Sentence size_text(const Frame&, const scene::FitFigure& figure) { return say("{} points", figure.points.size()); }
 
 Tools tools_of(const Frame& frame, const scene::FitFigure& figure) {
   const bool datum = selected_datum(frame, figure).has_value();
@@ -55,8 +53,8 @@ void draw_strip(Frame& frame, const Rect& place, const scene::FitFigure& figure)
   const bool both = errors.width >= residuals_from;
   if (both) errors.width = 0.6F * (errors.width - plot_gap);
 
-  std::array<LogSeries, 2> series{
-      {{say("greatest residual"), mixed(theme.stage, theme.accent, 0.8F), {}}, {say("root mean square"), theme.ink, {}}}};
+  std::array<LogSeries, 2> series{{{say("greatest residual"), mixed(theme.stage, theme.accent, 0.8F), {}},
+                                   {say("root mean square"), theme.ink, {}}}};
   for (const CurveFitError& error : figure.errors) {
     series[0].values.emplace_back(error.count, error.maximum);
     series[1].values.emplace_back(error.count, error.rms);
@@ -65,8 +63,9 @@ void draw_strip(Frame& frame, const Rect& place, const scene::FitFigure& figure)
   double greatest = 0;
   for (const CurveFitError& error : figure.errors) greatest = std::max(greatest, error.maximum);
   const double least = std::max(1e-15, 1e-6 * greatest);
-  const LogPlotEvent event = log_plot(frame.ui, "errors", errors,
-                                      {.series = series, .number_name = as_is("n"), .marked = figure.count, .least = least});
+  const LogPlotEvent event =
+      log_plot(frame.ui, "errors", errors,
+               {.series = series, .number_name = as_is("n"), .marked = figure.count, .least = least});
   if (event.taken) take_gesture(frame);
   if (event.number) {
     if (const int count = possible(figure, *event.number); count != figure.count)

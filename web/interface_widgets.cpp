@@ -373,8 +373,7 @@ std::optional<std::size_t> segmented(Interface& ui, std::string_view id, const R
   for (std::size_t i = 0; i < segments.size(); ++i) {
     presses[i] = press_area(ui, segments[i].widget, places[i]);
     if (presses[i].clicked) clicked = i;
-    if (presses[i].hovered && !segments[i].refusal.empty())
-      set_hint(ui, say(segments[i].refusal), places[i]);
+    if (presses[i].hovered && !segments[i].refusal.empty()) set_hint(ui, say(segments[i].refusal), places[i]);
   }
 
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -559,8 +558,7 @@ bool combo_button(Interface& ui, std::string_view id, const Rect& rect, Said lab
   const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   fill(list, rect, colour(ui.theme.ink, 0.045F + 0.035F * warm), 8);
   outline(list, rect, colour(mixed(ui.theme.rule, ui.theme.ink_soft, 0.5F * warm)), 8);
-  fitted_text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label,
-              rect.width - 32);
+  fitted_text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label, rect.width - 32);
   chevron(list, {rect.x + rect.width - 14, rect.y + rect.height / 2}, 3.5F, turn, colour(ui.theme.ink_soft));
   return press.clicked;
 }

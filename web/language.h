@@ -60,9 +60,7 @@ class Value {
   // NOLINTEND(google-explicit-constructor)
   Value(const char*) = delete;  // an English word that nobody has said
 
-  void add_to(Words& words) const {
-    words_ ? words.add({words_, size_}) : words.add(static_cast<int>(size_));
-  }
+  void add_to(Words& words) const { words_ ? words.add({words_, size_}) : words.add(static_cast<int>(size_)); }
 
  private:
   const char* words_ = nullptr;  ///< null: a number
@@ -73,8 +71,8 @@ class Value {
 class Sentence {
  public:
   Sentence(std::string_view english, std::span<const Value> values);
-  operator Said() const { return Said(words_); }                // NOLINT(google-explicit-constructor)
-  operator std::string_view() const { return words_; }          // NOLINT(google-explicit-constructor)
+  operator Said() const { return Said(words_); }        // NOLINT(google-explicit-constructor)
+  operator std::string_view() const { return words_; }  // NOLINT(google-explicit-constructor)
   explicit operator std::string() const { return std::string(std::string_view(words_)); }
 
  private:
@@ -82,8 +80,7 @@ class Sentence {
 };
 
 template <class... Values>
-  requires(sizeof...(Values) > 0)
-Sentence say(std::string_view english, const Values&... values) {
+requires(sizeof...(Values) > 0) Sentence say(std::string_view english, const Values&... values) {
   const std::array<Value, sizeof...(Values)> all{Value(values)...};
   return {english, all};
 }

@@ -18,8 +18,8 @@ struct LogSeries {
 
 struct LogPlot {
   std::span<const LogSeries> series;
-  Said number_name;         ///< of the numbers, as `n`
-  int marked = 0;           ///< the number that the stage shows
+  Said number_name;  ///< of the numbers, as `n`
+  int marked = 0;    ///< the number that the stage shows
   /// Sizes below are drawn there: what is left is rounding.
   double least = 1e-15;
   bool movable = true;  ///< whether a hand may choose a number

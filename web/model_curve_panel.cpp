@@ -62,8 +62,8 @@ void draw_readout(Frame& frame, float left, float y, const scene::ModelCurveFigu
   const FrenetFrame here = frenet_frame(jet);
   text(frame.ui, Face::bold, {left, y}, colour(theme.ink), as_is("t " + text_of("%.2f", t)));
   const Said curvature = say("curvature"), torsion = say("torsion");
-  const float values = behind(frame.ui, Face::regular, left, torsion,
-                              behind(frame.ui, Face::regular, left, curvature, left + 74));
+  const float values =
+      behind(frame.ui, Face::regular, left, torsion, behind(frame.ui, Face::regular, left, curvature, left + 74));
   const auto row = [&](Said name, double value, const Colour& hue) {
     y += 20;
     text(frame.ui, Face::regular, {left, y}, colour(as_text(theme, hue)), name);

@@ -55,9 +55,9 @@ constexpr std::array<std::string_view, 23> first_rows{"topology.u",
 constexpr std::array<std::string_view, 3> clock_rows{"animation.playing", "animation.time", "animation.speed"};
 constexpr std::size_t phone_clock_rows = 2;  ///< the speed has no room there
 
-constexpr float padding = 16;       ///< inside the card
-constexpr float foot_clip = 3;      ///< rows end this much before the foot of what they scroll in
-constexpr float combo_margin = 40;  ///< beside the words of a closed list
+constexpr float padding = 16;           ///< inside the card
+constexpr float foot_clip = 3;          ///< rows end this much before the foot of what they scroll in
+constexpr float combo_margin = 40;      ///< beside the words of a closed list
 constexpr float label_line = 20;        ///< of a label above its choices
 constexpr float label_gap = 10;         ///< between a label and its slider
 constexpr float longest_label = 0.52F;  ///< of a row: the slider needs the rest
@@ -560,7 +560,8 @@ void drawer(Frame& frame) {
   const bool appears = state.drawer_open && state.drawer_share == 0;
   const float share = smooth(eased(frame.ui, state.drawer_share, state.drawer_open ? 1.0F : 0.0F, 0.16F));
   if (share < 1) {
-    const float width = std::min(text_width(frame.ui, Face::bold, say(words::controls)) + 50, stage.width - tools_width(frame) - 28);
+    const float width =
+        std::min(text_width(frame.ui, Face::bold, say(words::controls)) + 50, stage.width - tools_width(frame) - 28);
     const Rect pill{stage.width - width - 12, 8, width, 44};
     begin(frame, "controls", {pill.x - 4, pill.y, pill.width + 8, pill.height + 4}, ImGuiWindowFlags_NoScrollbar);
     if (pill_button(frame.ui, "controls", pill, Icon::sliders, say(words::controls))) state.drawer_open = true;
@@ -677,12 +678,12 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = place.y + 8;
   if (lines) {
-    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(words::slopes));
+    fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(words::slopes), width + 20);
     y += 18;
   }
   if (curved) {
-    text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
-         say(quality.shading == scene::Shading::mean ? words::mean : words::gaussian));
+    fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
+                say(quality.shading == scene::Shading::mean ? words::mean : words::gaussian), width + 20);
     const CurvatureColours colours;
     constexpr int parts = 44;
     const float top = y + 9, part = width / parts;

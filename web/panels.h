@@ -71,13 +71,13 @@ struct PanelState {
   bool show_more = false;  ///< the display, sampling and motion rows
 
   float drawer_share = 0, more_share = 0, probe_share = 0, notice_share = 0;  ///< how far each has come into view
-  float card_height = 0;            ///< as measured in the last frame, CSS pixels
-  std::optional<Probe> last_probe;  ///< stays while it fades
+  float card_height = 0;                  ///< as measured in the last frame, CSS pixels
+  std::optional<Probe> last_probe;        ///< stays while it fades
   std::string last_notice, shown_notice;  ///< in English, and as it is said
-  KnotDrag knot, knot_v;     ///< in the one strip, or that of u and that of v
-  bool slider_held = false;  ///< a gesture is open
-  bool list_open = false;    ///< a list of choices, which Escape closes
-  bool moving = false;       ///< the last frame was not the last of a transition
+  KnotDrag knot, knot_v;                  ///< in the one strip, or that of u and that of v
+  bool slider_held = false;               ///< a gesture is open
+  bool list_open = false;                 ///< a list of choices, which Escape closes
+  bool moving = false;                    ///< the last frame was not the last of a transition
   struct FingerScroll {
     std::string window;  ///< whose rows the finger is on; empty when on none
     float start = 0, scroll_at_start = 0;

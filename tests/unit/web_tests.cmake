@@ -9,6 +9,7 @@ set(KNOTWORK_WEB_TESTS
   unit/freehand_test.cpp
   unit/gizmo_test.cpp
   unit/interaction_test.cpp
+  unit/language_test.cpp
   unit/local_curve_hold_test.cpp
   unit/patch_drag_test.cpp
   unit/stage_grid_test.cpp
