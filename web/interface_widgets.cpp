@@ -291,7 +291,8 @@ KNOTWORK_LATER void shortened_text(Interface& ui, Face face, ImVec2 position, Im
 }  // namespace
 
 void fitted_text(Interface& ui, Face face, ImVec2 position, ImU32 ink, Said words, float room, Align align) {
-  if (text_width(ui, face, words) <= room + 0.5F)
+  // English has room, and its first figure comes before what shortens words.
+  if (!translates() || text_width(ui, face, words) <= room + 0.5F)
     text(ui, face, position, ink, words, align);
   else
     shortened_text(ui, face, position, ink, words, room, align);
@@ -558,7 +559,9 @@ bool combo_button(Interface& ui, std::string_view id, const Rect& rect, Said lab
   const float turn = smooth(eased(ui, id_of(id, "turn"), open ? 1.0F : 0.0F));
   fill(list, rect, colour(ui.theme.ink, 0.045F + 0.035F * warm), 8);
   outline(list, rect, colour(mixed(ui.theme.rule, ui.theme.ink_soft, 0.5F * warm)), 8);
+  list.PushClipRect(rect.min(), {rect.x + rect.width - 22, rect.y + rect.height}, true);
   fitted_text(ui, Face::regular, {rect.x + 10, rect.y + rect.height / 2}, colour(ui.theme.ink), label, rect.width - 32);
+  list.PopClipRect();
   chevron(list, {rect.x + rect.width - 14, rect.y + rect.height / 2}, 3.5F, turn, colour(ui.theme.ink_soft));
   return press.clicked;
 }
