@@ -678,12 +678,12 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = place.y + 8;
   if (lines) {
-    fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(words::slopes), width + 20);
+    fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), say(words::slopes), longest);
     y += 18;
   }
   if (curved) {
     fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft),
-                say(quality.shading == scene::Shading::mean ? words::mean : words::gaussian), width + 20);
+                say(quality.shading == scene::Shading::mean ? words::mean : words::gaussian), longest);
     const CurvatureColours colours;
     constexpr int parts = 44;
     const float top = y + 9, part = width / parts;
@@ -705,7 +705,7 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
     y = top + 36;
   }
   if (!quality.known) return ImGui::End();
-  text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), as_is(quality.words));
+  fitted_text(frame.ui, Face::small, {left, y}, colour(theme.ink_soft), as_is(quality.words), longest);
   ImGui::End();
 }
 
