@@ -135,8 +135,11 @@ export class Page {
     this.history.update(state);
     const description = describe(rows, state.selectedName);
     if (this.description.textContent !== description) this.description.textContent = description;
-    if (state.notice !== this.lastNotice && performance.now() > this.insistsUntil) this.announce(say(state.notice));
-    this.lastNotice = state.notice;
+    // What comes while something else is to be heard is said after it.
+    if (state.notice !== this.lastNotice && performance.now() > this.insistsUntil) {
+      this.announce(say(state.notice));
+      this.lastNotice = state.notice;
+    }
     this.exercises.update(rows, state.canRedo);  // what it says is said last
   }
 
