@@ -29,13 +29,12 @@ void bump(const Plot& plot, const scene::CurveFigure& figure, int point, const C
 }
 
 /// Names of the knots under their triangles.
-void draw_names(Interface& ui, const Plot& plot, const scene::CurveFigure& figure) {
+void draw_names(Interface& ui, const Plot& plot, const scene::CurveFigure& figure, std::string_view letter) {
   float taken = -1e9F;
   for (const scene::CurveFigure::Mark& mark : figure.marks) {
     const int count = mark.last - mark.first + 1;
-    std::string name = "t" + subscript(mark.first);
-    if (count == 2) name += " t" + subscript(mark.last);
-    if (count > 2) name += "–t" + subscript(mark.last);
+    Words name = Words().add(letter).below(mark.first);
+    if (count > 1) name.add(count == 2 ? " " : "–").add(letter).below(mark.last);
     plot_knot_name(ui, plot, mark.t, as_is(name), taken);
   }
 }
@@ -78,7 +77,7 @@ double allowed(const Plot& plot, const scene::CurveFigure& figure, int index, do
 
 StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
                       std::optional<int> held, KnotDrag& drag) {
-  return knot_strip(ui, rect, figure, movable, held, drag, {{}, {}, figure.t});
+  return knot_strip(ui, rect, figure, movable, held, drag, {.prefix = {}, .hues = {}, .parameter = figure.t});
 }
 
 StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure& figure, bool movable,
@@ -157,7 +156,7 @@ StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure&
   for (const scene::CurveFigure::Mark& mark : figure.marks)
     plot_knot(ui, plot, mark.t, mark.last - mark.first + 1, movable && mark.inner,
               under == &mark || (drag.held && mark.t == knots[drag.index]));
-  draw_names(ui, plot, figure);
+  draw_names(ui, plot, figure, options.letter);
   return event;
 }
 

@@ -20,6 +20,7 @@ StripEvent knot_strip(Interface& ui, const Rect& rect, const scene::CurveFigure&
 
 /// What one of several strips on the stage is told moreover.
 struct StripOptions {
+  std::string_view letter = "t";    ///< of the parameter: its knots are t₀, t₁ ...
   std::string_view prefix;          ///< of its widgets' labels
   std::span<const Colour> hues;     ///< of the points; none: point_hue()
   std::optional<double> parameter;  ///< the line through all bumps is there, or nowhere

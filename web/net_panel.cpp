@@ -72,7 +72,8 @@ void direction_strip(Frame& frame, const Rect& place, const scene::CurveFigure& 
   for (int k = 0; k < count; ++k)
     hues.push_back(hue_of(frame, object, along_u ? scene::PatchIndex(k, other) : scene::PatchIndex(other, k)));
 
-  StripOptions options{.prefix = along_u ? "u " : "v ", .hues = hues, .parameter = std::nullopt};
+  StripOptions options{
+      .letter = along_u ? "u" : "v", .prefix = along_u ? "u " : "v ", .hues = hues, .parameter = std::nullopt};
   if (frame.input.pointed) options.parameter = along_u ? frame.input.pointed->x : frame.input.pointed->y;
   ImGui::PushID(along_u ? "u" : "v");
   const StripEvent event =
