@@ -39,14 +39,14 @@ export class Mathematics {
     });
   }
 
-  /// KaTeX's rules without its font faces, those of classes that the page has, and the rules for the style attributes met
-  /// so far. The doubled class wins over KaTeX's own rules as the attribute did.
+  /// KaTeX's rules without its font faces, those of classes that the page has, whatever they exclude by :not(), and the
+  /// rules for the style attributes met so far. The doubled class wins over KaTeX's own rules as the attribute did.
   stylesheet(page: string): string {
     const source = readFileSync(createRequire(import.meta.url).resolve('katex/dist/katex.min.css'), 'utf8');
     const own = [...this.classes].map(([style, name]) => `.${name}.${name}.${name}.${name}{${style}}`).join('\n');
     const known = new Set([...page.matchAll(/class="([^"]*)"/g)].flatMap(([, names]) => (names ?? '').split(' ')));
     const used = (selector: string): boolean =>
-      [...selector.matchAll(/\.([\w-]+)/g)].every(([, name]) => known.has(name ?? ''));
+      [...selector.replace(/:not\([^)]*\)/g, '').matchAll(/\.([\w-]+)/g)].every(([, name]) => known.has(name ?? ''));
     const rules = source.replace(/@font-face\s*\{[^}]*\}/g, '').replace(/([^{}]+)(\{[^{}]*\})/g, (_, selectors: string, body: string) => {
       const kept = selectors.split(',').filter(used);
       return kept.length > 0 ? kept.join(',') + body : '';

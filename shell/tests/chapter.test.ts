@@ -46,6 +46,9 @@ test('formulas are both HTML and MathML, and have no style attribute', () => {
   assert.match(mathematics.stylesheet(html), /\.mx0\.mx0[^{]*\{[^}]*height:/);
   assert.doesNotMatch(mathematics.stylesheet(html), /@font-face|\.mathbb/);
   assert.match(mathematics.stylesheet(html), /\.katex \.mfrac/);
+  // A sign over a letter takes no room beside it, though nothing on the page is .accent-full.
+  const hat = mathematics.render(String.raw`\hat c`, false);
+  assert.match(mathematics.stylesheet(hat), /\.accent-body:not\(\.accent-full\)\{width:0\}/);
   assert.ok([...'sijab'].every((letter) => mathematics.characters('KaTeX_Math').includes(letter)));
   assert.ok(mathematics.uses('mfrac') && !mathematics.uses('mathbb'));
 });

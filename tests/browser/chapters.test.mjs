@@ -117,6 +117,22 @@ for (const [name, size] of [['desktop', [1440, 900]], ['tablet', [1024, 768]], [
   });
 }
 
+pageTest('hats and bars stand over their letters', { size: [1440, 900] }, async (page) => {
+  const accents = await page.evaluate(() =>
+    [...document.querySelectorAll('.katex-html .accent')].map((accent) => {
+      const middle = (element) => {
+        const { left, right } = element.getBoundingClientRect();
+        return (left + right) / 2;
+      };
+      const letter = accent.querySelector('.mord');
+      const aside = middle(accent.querySelector('.accent-body .mord')) - middle(letter);
+      return { formula: accent.textContent, aside: aside / letter.getBoundingClientRect().width };
+    }),
+  );
+  assert.ok(accents.length > 10);
+  assert.deepEqual(accents.filter(({ aside }) => Math.abs(aside) > 0.3), []);
+});
+
 pageTest('the stage goes with the reader, and what was done to a figure is there again', whole, async (page) => {
   const start = await shownFigure(page);
   await scrollTo(page, '#figure-de-casteljau');
