@@ -452,8 +452,11 @@ void App::look_into_surface() {
     high = glm::max(high, point);
   }
   const JointSeams seams = blending ? untwisted_seams(blending->surface) : JointSeams();
-  find_fault(quality, surface_joints(surface, 4, seams), glm::distance(low, high));
-  quality.words = fault_text(quality);
+  // A model is one formula, not pieces that meet.
+  if (!std::holds_alternative<ModelSurfaceFigure>(*geometry_.figure)) {
+    find_fault(quality, surface_joints(surface, 4, seams), glm::distance(low, high));
+    quality.words = fault_text(quality);
+  }
   geometry_.quality = std::move(quality);
   geometry_.quality_stale = false;
   geometry_.looked_at = milliseconds();

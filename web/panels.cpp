@@ -569,6 +569,8 @@ void drawer(Frame& frame) {
   }
   if (state.drawer_open && state.drawer_share == 0) frame.ui.wants_frame = true;
   if (share > 0) open_drawer(frame, share, appears);
+  // It has been told to close, and has yet to.
+  if (!state.drawer_open && state.drawer_share > 0) frame.ui.wants_frame = true;
 }
 
 void tools(Frame& frame, float x, float middle) {

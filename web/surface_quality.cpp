@@ -32,14 +32,16 @@ void find_fault(SurfaceQuality& quality, const std::vector<SurfaceJoint>& joints
 }
 
 std::string fault_text(const SurfaceQuality& quality) {
-  if (quality.fault == SurfaceFault::none) return std::string(say("at knots: no jump up to curvature"));
+  if (quality.fault == SurfaceFault::none) return std::string(say("smooth at the knots, curvature too"));
   const SurfaceJoint& worst = quality.worst;
   const std::string place = (worst.along_v ? "u = " : "v = ") + text_of("%.3g", worst.parameter);
-  const std::string text(quality.fault == SurfaceFault::kink
-                             ? say("kink of {}° at {}", text_of("%.1f", worst.kink / degree), place)
-                             : say("curvature jumps by {} at {}", text_of("%.2g", worst.bend), place));
-  if (quality.others == 0) return text;
-  return std::string(say(quality.others > 1 ? "{} and {} more knots" : "{} and {} more knot", text, quality.others));
+  const bool kink = quality.fault == SurfaceFault::kink;
+  const std::string most = kink ? text_of("%.1f", worst.kink / degree) : text_of("%.2g", worst.bend);
+  if (quality.others == 0)
+    return std::string(kink ? say("kink of {}° at {}", most, place) : say("curvature jumps by {} at {}", most, place));
+  const int all = quality.others + 1;
+  return std::string(kink ? say("kinks at {} knots, the largest {}° at {}", all, most, place)
+                          : say("curvature jumps at {} knots, most by {} at {}", all, most, place));
 }
 
 }  // namespace knotwork::web

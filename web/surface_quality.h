@@ -21,14 +21,14 @@ struct SurfaceQuality {
   SurfaceFault fault = SurfaceFault::none;
   SurfaceJoint worst;  ///< the line where it is largest
   int others = 0;      ///< lines that have it, too
-  std::string words;   ///< all this, as fault_text() says it
+  std::string words;   ///< all this, as fault_text() says it; of a surface that is no pieces nothing
 };
 
 /// The fault of a surface whose box has a diagonal of `size`. A kink is seen from 0.05 degrees on, a jump of curvature
 /// from a fiftieth of the curvature of a ball of radius `size`.
 KNOTWORK_LAST void find_fault(SurfaceQuality& quality, const std::vector<SurfaceJoint>& joints, double size);
 
-/// "kink of 12.5° at u = 0.25 and 7 more knots": the fault in words.
+/// "kinks at 8 knots, the largest 12.5° at u = 0.25": the fault in words.
 KNOTWORK_LAST std::string fault_text(const SurfaceQuality& quality);
 
 }  // namespace knotwork::web

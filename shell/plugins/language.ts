@@ -77,8 +77,9 @@ function quoted(text: string): string {
   return text.replaceAll('"', '&quot;');
 }
 
-/// What stays as it is.
+/// What stays as it is; a chapter without a translation as a whole.
 const untouched = [
+  /<!--foreign-->[\s\S]*?<!--\/foreign-->/,
   /<!--tex-->[\s\S]*?<!--\/tex-->/,
   /<!--[\s\S]*?-->/,
   /<!doctype[^>]*>/,

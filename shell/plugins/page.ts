@@ -51,7 +51,7 @@ export function page(options: PageOptions): Plugin {
     stills.write(join(generated, 'stills'), chapters.flatMap(({ figures }) => figures));
     const page = chapters.map(({ html }) => html).join('');
     writeFileSync(join(generated, 'mathematics.css'), mathematics.stylesheet(page));
-    const words = chapters.map(({ html }) => language.html(html.replace(typeset, '')));
+    const words = chapters.map(({ html, foreign }) => (foreign ? html : language.html(html)).replace(typeset, ''));
     const text = words.join('').replace(/<[^>]*>/g, '');
     const italic = words.flatMap((html) => [...html.matchAll(/<em>(.*?)<\/em>/gs)].map((match) => match[1]!));
     const frame = language.html(readFileSync(join(options.root, 'index.html'), 'utf8')) + language.letters();
@@ -97,7 +97,7 @@ export function page(options: PageOptions): Plugin {
           .replaceAll('%SUMMARY%', () => chapters[0]?.summary ?? '');
         return language
           .html(whole)
-          .replace(/<!--\/?tex-->/g, '')
+          .replace(/<!--\/?(?:tex|foreign)-->/g, '')
           .replace('<html lang="en">', `<html lang="${language.tag}">`);
       },
     },
@@ -149,9 +149,10 @@ function article(chapters: readonly PageChapter[], index: number): string {
       ? `<nav class="turn" aria-label="Before and after: ${chapter.title}">` +
         `${neighbour(chapters[index - 1], 'prev', 'Before')}${neighbour(chapters[index + 1], 'next', 'Next')}</nav>\n`
       : '';
+  const text = `<h1>${chapter.title}${placeLink(chapter.id)}</h1>\n${chapter.html}`;
   return (
     `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}"${chapter.foreign ? ' lang="en"' : ''}>\n` +
-    `<h1>${chapter.title}${placeLink(chapter.id)}</h1>\n${chapter.html}${turn}</article>`
+    `${chapter.foreign ? `<!--foreign-->${text}<!--/foreign-->` : text}${turn}</article>`
   );
 }
 

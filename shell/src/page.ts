@@ -168,6 +168,35 @@ export class Page {
     perform();
   }
 
+  /// What is set beside the prose is set in the figure that it belongs to, which may have to come to the stage first; a
+  /// hand that has taken hold meanwhile opens its step of undo there.
+  private setterOf(figure: Figure | null): Setter {
+    let held = false;
+    let opened = false;
+    const inOwn = (applies: () => boolean, command: () => void): void => {
+      const { shown } = this.scenes;
+      if (!figure || (shown ? shown === figure : applies())) return command();
+      this.scenes.show(figure).then(
+        () => this.scenes.shown === figure && command(),
+        (error: unknown) => this.refuse(error),
+      );
+    };
+    const open = (): void => {
+      if (!held || opened) return;
+      opened = true;
+      this.setter.gesture(true);
+    };
+    return {
+      set: (id, value) => inOwn(() => this.rows().has(id), () => this.setter.set(id, value)),
+      gesture: (begins) => {
+        held = begins;
+        if (begins) return inOwn(() => true, open);
+        if (opened) this.setter.gesture(false);
+        opened = false;
+      },
+    };
+  }
+
   private refuse(error: unknown): void {
     this.announce(say(error instanceof Error ? error.message : String(error)));
   }
@@ -176,7 +205,7 @@ export class Page {
   private makeControls(rows: ReadonlyMap<string, Parameter>): void {
     this.waiting = this.waiting.filter((place) => {
       const row = rows.get(place.dataset['parameter']!);
-      if (row) this.controls.push(makeControl(place, row, this.setter));
+      if (row) this.controls.push(makeControl(place, row, this.setterOf(this.scenes.about(place))));
       return !row;
     });
   }

@@ -117,6 +117,35 @@ for (const [name, size] of [['desktop', [1440, 900]], ['tablet', [1024, 768]], [
   });
 }
 
+pageTest('a control beside the prose is of its own figure', { ...whole, size: [1440, 2600], scale: 0.25 }, async (page) => {
+  await scrollTo(page, '#figure-three-rounds');
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'three-rounds');
+  await page.locator('#figure-squeezed-span [data-show]').click();
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'squeezed-span');
+  await settled(page);
+  const other = await documentOf(page);
+  const slider = await page.locator('#figure-three-rounds ~ .controls input[type=range]').first().boundingBox();
+  await page.mouse.move(slider.x + 0.3 * slider.width, slider.y + slider.height / 2);
+  await page.mouse.down();
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'three-rounds');
+  for (const share of [0.5, 0.7, 0.8]) await page.mouse.move(slider.x + share * slider.width, slider.y + slider.height / 2);
+  await page.mouse.up();
+  await settled(page);
+  const { start, end } = await page.evaluate(() => {
+    const { min, max } = window.knotwork.parameters().find(({ id }) => id === 'curve.parameter');
+    return { start: min, end: max };
+  });
+  const t = (await call(page, 'parameters')).find(({ id }) => id === 'curve.parameter').value;
+  assert.ok(Math.abs(t - (start + 0.8 * (end - start))) < 0.05 * (end - start), `t is ${t}`);
+  // All of the drag is one step, and nothing of it happened to the other figure.
+  await call(page, 'undo');
+  await settled(page);
+  assert.ok((await call(page, 'parameters')).find(({ id }) => id === 'curve.parameter').value < t - 0.1);
+  await page.locator('#figure-squeezed-span [data-show]').click();
+  await until(page, () => document.querySelector('[data-shown]')?.dataset.figure === 'squeezed-span');
+  assert.deepEqual((await documentOf(page)).objects, other.objects);
+});
+
 pageTest('hats and bars stand over their letters', { size: [1440, 900] }, async (page) => {
   const accents = await page.evaluate(() =>
     [...document.querySelectorAll('.katex-html .accent')].map((accent) => {

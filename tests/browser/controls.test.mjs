@@ -204,6 +204,20 @@ pageTest(thumb, { size: [390, 844], scale: 2, touch: true }, async (page) => {
   assert.ok((await surfaceOf(page)).locals.u < dragged);
 });
 
+pageTest('a drawer that has closed leaves the picture as it was', { full: true, size: [390, 844], scale: 2, touch: true }, async (page) => {
+  const distance = async () => (await documentOf(page)).camera.distance;
+  const tap = async () => {
+    const { x, y, width, height } = await widget(page, 'controls');
+    await page.touchscreen.tap(x + width / 2, y + height / 2);
+    await settled(page);
+  };
+  const before = await distance();
+  await tap();
+  assert.ok(Math.abs((await distance()) / before - 1) > 0.1, 'the drawer takes no room from the picture');
+  await tap();
+  assert.ok(Math.abs((await distance()) / before - 1) < 1e-6);
+});
+
 pageTest('items of the panel lie on the stage and are large enough to hit', {}, async (page) => {
   await showMore(page, 'display.wireframe');
   const stage = await page.locator('canvas').boundingBox();

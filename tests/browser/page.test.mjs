@@ -474,6 +474,17 @@ async function seriousFindings(page) {
   });
 }
 
+for (const [name, options] of Object.entries(devices))
+  pageTest(`the menu of chapters opens into view on a ${name}`, options, async (page) => {
+    await settled(page);
+    await page.locator('.contents summary').click();
+    const box = await page.locator('.contents > div').boundingBox();
+    assert.ok(box.height > 100);
+    assert.ok(box.y >= 0 && box.y + 100 < options.size[1], `the menu is at ${box.y}`);
+    // Nobody has scrolled it there.
+    assert.equal(await page.evaluate(() => scrollY), 0);
+  });
+
 for (const [name, options] of Object.entries(devices)) {
   pageTest(`nothing moves while the page arrives on a ${name}`, {
     ...options,

@@ -23,20 +23,20 @@ TEST_CASE("the worst kink is told with its line and the number of the others") {
   const SurfaceQuality quality = quality_of(joints, 1);
   CHECK(quality.fault == SurfaceFault::kink);
   CHECK(quality.others == 1);
-  CHECK(fault_text(quality) == "kink of 12.3° at v = 1.5 and 1 more knot");
+  CHECK(fault_text(quality) == "kinks at 2 knots, the largest 12.3° at v = 1.5");
 }
 
 TEST_CASE("where no kink is to be seen, a jump of curvature is, by the size of the surface") {
   const std::vector<SurfaceJoint> joints{{.along_v = true, .parameter = -2, .kink = 0.04 * degree, .bend = 0.3}};
   CHECK(fault_text(quality_of(joints, 1)) == "curvature jumps by 0.3 at u = −2");
-  CHECK(fault_text(quality_of(joints, 0.01)) == "at knots: no jump up to curvature");
+  CHECK(fault_text(quality_of(joints, 0.01)) == "smooth at the knots, curvature too");
 }
 
 TEST_CASE("a surface without joints, or with smooth ones, has no fault") {
   CHECK(quality_of({}, 1).fault == SurfaceFault::none);
   const SurfaceQuality smooth = quality_of({{.kink = 1e-9, .bend = 1e-7}}, 1);
   CHECK(smooth.fault == SurfaceFault::none);
-  CHECK(fault_text(smooth) == "at knots: no jump up to curvature");
+  CHECK(fault_text(smooth) == "smooth at the knots, curvature too");
 }
 
 }  // namespace

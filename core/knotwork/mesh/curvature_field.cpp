@@ -11,9 +11,30 @@
 namespace knotwork {
 namespace {
 
-constexpr double usual_share = 0.95;  // of the values, which the scale has to hold
-constexpr double least_bend = 0.1;    // times the size of the surface
-constexpr double largest = 1e30;      // so that scale and values are floats
+constexpr double usual_share = 0.95;           // of the area, whose values the scale has to hold
+constexpr std::size_t most_looked_at = 65536;  // vertices that the scale is found from
+constexpr double least_bend = 0.1;             // times the size of the surface
+constexpr double largest = 1e30;               // so that scale and values are floats
+
+/// A vertex: the size of its value, and the area that it stands for.
+struct Sized {
+  double value, area;
+};
+
+/// What the values stay within on that share of the area; 0 where there is no area.
+double usual(std::vector<Sized>& vertices) {
+  std::sort(vertices.begin(), vertices.end(), [](const Sized& a, const Sized& b) { return a.value < b.value; });
+  double left = 0;
+  for (const Sized& vertex : vertices) left += usual_share * vertex.area;
+  for (const Sized& vertex : vertices)
+    if ((left -= vertex.area) <= 0) return vertex.area > 0 ? vertex.value : 0;
+  return 0;
+}
+
+/// Half the way from the vertex before to the one behind.
+double width(std::span<const double> t, std::size_t k) {
+  return 0.5 * (t[std::min(k + 1, t.size() - 1)] - t[k > 0 ? k - 1 : 0]);
+}
 
 }  // namespace
 
@@ -33,6 +54,9 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
   constexpr std::size_t jets_at_once = 16384;
   const std::size_t rows = grid.v.size(), strip = std::clamp<std::size_t>(jets_at_once / rows, 1, grid.u.size());
   std::vector<SurfaceJet> jets(strip * rows);
+  std::vector<Sized> vertices;
+  const std::size_t stride = 1 + grid.u.size() * rows / most_looked_at;
+  vertices.reserve(grid.u.size() * rows / stride + 1);
   for (std::size_t first = 0; first < grid.u.size(); first += strip) {
     const std::span<const double> u = std::span(grid.u).subspan(first, std::min(strip, grid.u.size() - first));
     const std::span<SurfaceJet> made = std::span(jets).first(u.size() * rows);
@@ -41,17 +65,17 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
       box.extend(jet.s);
       const SurfaceCurvature curved = curvature(jet);
       const double value = kind == CurvatureKind::gaussian ? curved.gaussian : curved.mean;
+      const std::size_t place = field.values.size();
       field.values.push_back(std::isfinite(value) ? std::clamp(value, -largest, largest) : 0);
+      if (place % stride != 0) continue;
+      const double area = jet.su.cross(jet.sv).norm() * width(grid.u, place / rows) * width(grid.v, place % rows);
+      vertices.push_back({std::abs(field.values.back()), std::isfinite(area) ? area : 0});
     }
   }
 
-  std::vector<double> sizes;
-  sizes.reserve(field.values.size());
-  for (const double value : field.values) sizes.push_back(std::abs(value));
-  const auto usual = sizes.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), usual, sizes.end());
   const double size = std::max(box.diagonal().norm(), 1e-12);
-  field.scale = round_up_to_125(std::max(*usual, least_bend / (kind == CurvatureKind::gaussian ? size * size : size)));
+  field.scale =
+      round_up_to_125(std::max(usual(vertices), least_bend / (kind == CurvatureKind::gaussian ? size * size : size)));
   return field;
 }
 
