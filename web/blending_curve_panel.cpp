@@ -35,7 +35,11 @@ void draw_rows(Frame& frame, Column& column, const scene::BlendingCurveFigure& f
   const KnotVector& knots = figure.curve.knots();
   const double t = knots.reduced(frame.input.pointed ? frame.input.pointed->x : figure.t);
   const double w = translation_and_scaling(knots, 1, knots.span(t), t);
-  draw_blending_function(frame, column, figure.curve.blending(), w);
+  // In the hues of the two locals at work, as everywhere else on the stage.
+  const auto [first, second] = figure.curve.weights(t);
+  const bool dark = frame.input.theme.dark;
+  draw_blending_function(frame, column, figure.curve.blending(), w,
+                         {local_hue(first.local, knots.count(), dark), local_hue(second.local, knots.count(), dark)});
 }
 
 float strip_height(const Frame& frame, const scene::BlendingCurveFigure&) {

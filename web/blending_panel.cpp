@@ -34,14 +34,16 @@ Tools tools_of(const Frame& frame, const BlendingFigure&) {
 
 void draw_rows(Frame& frame, Column& column, const BlendingFigure& figure) {
   const std::optional<Probe> probe = probe_of(frame, figure);
+  const Theme& theme = frame.input.theme;
   draw_blending_function(frame, column, figure.surface.blending(),
-                         probe ? std::optional(probe->blend_w_u) : std::nullopt);
+                         probe ? std::optional(probe->blend_w_u) : std::nullopt, {theme.local[0], theme.local[1]});
 }
 
-void draw_blending_function(Frame& frame, Column& column, const BlendingFunction& blending, std::optional<double> w) {
+void draw_blending_function(Frame& frame, Column& column, const BlendingFunction& blending, std::optional<double> w,
+                            const std::array<Colour, 2>& hues) {
   const Theme& theme = frame.input.theme;
   const float middle = column.y + 9, centre = column.x + column.width / 2;
-  const ImU32 first = colour(as_text(theme, theme.local[0])), second = colour(as_text(theme, theme.local[1]));
+  const ImU32 first = colour(as_text(theme, hues[0])), second = colour(as_text(theme, hues[1]));
   std::string left = "1 − B", right = "B";
   if (w) {
     const double b = blending(*w)[0];
@@ -57,7 +59,7 @@ void draw_blending_function(Frame& frame, Column& column, const BlendingFunction
   text(frame.ui, Face::small, {column.x, middle}, first, as_is(left));
   text(frame.ui, Face::small, {column.x + column.width, middle}, second, as_is(right), Align::right);
   column.y += 18;
-  blending_plot(frame.ui, {column.x, column.y, column.width, 64}, blending, w);
+  blending_plot(frame.ui, {column.x, column.y, column.width, 64}, blending, w, hues);
   column.y += 68;
 }
 

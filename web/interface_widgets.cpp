@@ -588,7 +588,8 @@ bool menu_item(Interface& ui, WidgetName id, const Rect& rect, Said label, bool 
   return press.clicked;
 }
 
-void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w) {
+void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w,
+                   const std::array<Colour, 2>& hues) {
   constexpr std::size_t count = 81;
   const Theme& theme = ui.theme;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -620,13 +621,13 @@ void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blen
     for (std::size_t i = 0; i < count; ++i) list.PathLineTo(at(where[i], value_of(values[i][0])));
     list.PathStroke(colour(hue), 0, 2);
   };
-  curve([](double b) { return 1 - b; }, theme.local[0]);
-  curve([](double b) { return b; }, theme.local[1]);
+  curve([](double b) { return 1 - b; }, hues[0]);
+  curve([](double b) { return b; }, hues[1]);
 
   if (!w) return;
   const double b = blending(*w)[0];
   list.AddLine(at(*w, 0), at(*w, 1), colour(theme.ink, 0.35F), 1);
-  for (const auto& [value, hue] : {std::pair{1 - b, theme.local[0]}, std::pair{b, theme.local[1]}}) {
+  for (const auto& [value, hue] : {std::pair{1 - b, hues[0]}, std::pair{b, hues[1]}}) {
     list.AddCircleFilled(at(*w, value), 4.5F, colour(theme.panel));
     list.AddCircleFilled(at(*w, value), 3.5F, colour(hue));
   }

@@ -166,7 +166,8 @@ bool menu_item(Interface& ui, WidgetName id, const Rect& rect, Said label, bool 
                std::span<const float> curve);
 
 /// B and 1-B over [0,1] in the hues of the two locals that they weigh, B' faintly behind; `w` is where the probe is.
-void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w);
+void blending_plot(Interface& ui, const Rect& rect, const BlendingFunction& blending, std::optional<double> w,
+                   const std::array<Colour, 2>& hues);
 
 /// Words to show beside an item, if there are any.
 void set_hint(Interface& ui, Said words, const Rect& item);
