@@ -231,6 +231,7 @@ bool App::enter_scene(const std::string& name) {
   }
   history_ = known ? std::move(found->second.history) : scene::History();
   if (known) left_scenes_.erase(found);
+  geometry_.quality.reset();  // of the scene before
   changed();
   return known;
 }
@@ -416,15 +417,15 @@ const SurfaceQuality* App::quality_shown() {
 }
 
 /// Curvature for the colours, and how smooth the surface is at its knot lines. While something moves, looking takes a
-/// fifth of the time at most: on a fine grid the colours follow a little later.
+/// fifth of the time at most, but for the colours of a new grid: on a fine one they follow a little later.
 void App::look_into_surface() {
   const scene::Shading shading = document_.display.shading;
   const double start = milliseconds();
   const bool busy = document_.animation.playing || roll_.active || interaction_.drag != InteractionState::Drag::none;
-  const bool rests = !busy || start - geometry_.looked_at >= 4 * geometry_.looking_took;
+  const bool due = !busy || start - geometry_.looked_at >= 4 * geometry_.looking_took;
   if (geometry_.quality && geometry_.quality->shading == shading && geometry_.curvature_uploaded) {
     if (!geometry_.quality_stale) return;
-    if (!rests) {
+    if (!due) {
       request_frames(1);
       return;
     }
@@ -438,7 +439,7 @@ void App::look_into_surface() {
     quality.scale = field.scale;
   }
   geometry_.curvature_uploaded = true;
-  if (geometry_.quality && !rests) {
+  if (geometry_.quality && !due) {
     // New tables needed new colours at once; the lines can wait.
     geometry_.quality->scale = quality.scale;
     geometry_.quality->shading = shading;

@@ -55,8 +55,8 @@ class Value {
   // NOLINTBEGIN(google-explicit-constructor): what is written in a call
   template <std::integral Number>
   Value(Number number) : size_(static_cast<std::size_t>(number)) {}
-  Value(const std::string& number) : words_(number.data()), size_(number.size()) {}
-  Value(Said words) : words_(words.words_.data()), size_(words.words_.size()) {}
+  Value(const std::string& words) : words_(words.data()), size_(words.size()) {}
+  Value(Said words) : words_(words.empty() ? "" : words.words_.data()), size_(words.words_.size()) {}
   // NOLINTEND(google-explicit-constructor)
   Value(const char*) = delete;  // an English word that nobody has said
 

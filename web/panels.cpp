@@ -669,14 +669,18 @@ KNOTWORK_LAST void legend(Frame& frame, const SurfaceQuality& quality) {
   const Theme& theme = frame.input.theme;
   const bool curved = quality.shading == scene::Shading::gaussian || quality.shading == scene::Shading::mean;
   const bool lines = quality.shading == scene::Shading::isophotes;
-  const float left = frame.ui.touch ? 16 : 22, width = 176, height = curved ? 62 : lines ? 38 : 20;
+  // A model is one formula: nothing is to be said of pieces.
+  const bool pieces = !std::holds_alternative<ModelSurfaceFigure>(frame.input.figure);
+  const float left = frame.ui.touch ? 16 : 22, width = 176;
+  const float height = (curved ? 42.0F : lines ? 18.0F : 0.0F) + (pieces ? 20.0F : 0.0F);
+  if (height == 0) return;
   const Rect place{left, frame.stage.height - frame.foot() - height - 4, width, height};
   // The last line is the longest.
   const float longest = std::min(360.0F, frame.stage.width - left);
   begin(frame, "legend", {place.x - 4, place.y - 4, longest + 8, place.height + 8},
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-  if (height > 20) frame.output.readouts.push_back({0, place.y - 4.0, place.x + width + 8.0, place.height + 8.0});
-  frame.output.readouts.push_back({0, place.y + height - 20.0, left + 0.8 * longest, 24});
+  if (curved || lines) frame.output.readouts.push_back({0, place.y - 4.0, place.x + width + 8.0, place.height + 8.0});
+  if (pieces) frame.output.readouts.push_back({0, place.y + height - 20.0, left + 0.8 * longest, 24});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = place.y + 8;
   if (lines) {

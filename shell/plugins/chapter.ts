@@ -203,7 +203,7 @@ const tool = (name: string, words: string): string =>
   `<button type="button" class="tool-word" data-${name} disabled>${words}</button>`;
 
 /// Last the one that is not always there: no gap is left between the others.
-const figureTools = `${tool('show', 'Show')}${tool('copy', 'Copy link')}${tool('again', 'Start again')}`;
+export const figureTools = `${tool('show', 'Show')}${tool('copy', 'Copy link')}${tool('again', 'Start again')}`;
 
 /// Control rows are written empty into the page at their final height, so that nothing moves when they are filled.
 function block(

@@ -2,7 +2,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSy
 import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
 import { card } from './card';
-import { checkNames, placeLink, renderChapter, type Chapter } from './chapter';
+import { checkNames, figureTools, placeLink, renderChapter, type Chapter } from './chapter';
 import { makeFonts } from './fonts';
 import { Language } from './language';
 import { Mathematics } from './mathematics';
@@ -149,7 +149,9 @@ function article(chapters: readonly PageChapter[], index: number): string {
       ? `<nav class="turn" aria-label="Before and after: ${chapter.title}">` +
         `${neighbour(chapters[index - 1], 'prev', 'Before')}${neighbour(chapters[index + 1], 'next', 'Next')}</nav>\n`
       : '';
-  const text = `<h1>${chapter.title}${placeLink(chapter.id)}</h1>\n${chapter.html}`;
+  // What the scripts go on to say in the page's language begins in it.
+  const tools = chapter.foreign ? `<!--/foreign-->${figureTools}<!--foreign-->` : figureTools;
+  const text = `<h1>${chapter.title}${placeLink(chapter.id)}</h1>\n${chapter.html.replaceAll(figureTools, tools)}`;
   return (
     `<article class="chapter" id="${chapter.id}" data-chapter="${chapter.id}"${chapter.foreign ? ' lang="en"' : ''}>\n` +
     `${chapter.foreign ? `<!--foreign-->${text}<!--/foreign-->` : text}${turn}</article>`

@@ -20,7 +20,7 @@ import { say, sayRow } from './words';
 export class Page {
   private readonly setter: Setter;
   readonly scenes: Scenes;
-  private readonly controls: Control[] = [];
+  private readonly controls: { control: Control; figure: Figure | null }[] = [];
   private waiting: HTMLElement[];
   private settings: Control[] = [];
   private settingsFor = '';
@@ -121,12 +121,15 @@ export class Page {
     this.makeControls(rows);
     this.makeSettings(rows);
     this.points.element.hidden = state.points === null;
-    for (const control of [...this.controls, ...this.settings]) {
+    const follow = (control: Control): void => {
       const row = rows.get(control.id);
       if (row) control.update(row);
       else control.rest();
-    }
+    };
     const { shown } = this.scenes;
+    this.settings.forEach(follow);
+    // One of another figure keeps what its own last said.
+    for (const { control, figure } of this.controls) if (!figure || !shown || shown === figure) follow(control);
     for (const { button, action, figure } of this.phrases)
       button.classList.toggle('done', (!shown || shown === figure) && fulfilled(action, rows));
     this.figureTools.update(state.canUndo);
@@ -135,7 +138,7 @@ export class Page {
     this.history.update(state);
     const description = describe(rows, state.selectedName);
     if (this.description.textContent !== description) this.description.textContent = description;
-    // What comes while something else is to be heard is said after it.
+    // What comes while something else is to be heard is said with the first change after it.
     if (state.notice !== this.lastNotice && performance.now() > this.insistsUntil) {
       this.announce(say(state.notice));
       this.lastNotice = state.notice;
@@ -168,31 +171,51 @@ export class Page {
     perform();
   }
 
-  /// What is set beside the prose is set in the figure that it belongs to, which may have to come to the stage first; a
-  /// hand that has taken hold meanwhile opens its step of undo there.
+  /// What is set beside the prose is set in the figure that it belongs to, which may have to come to the stage first:
+  /// then the last value counts, and all that happened until the hand let go is one step of undo.
   private setterOf(figure: Figure | null): Setter {
     let held = false;
     let opened = false;
-    const inOwn = (applies: () => boolean, command: () => void): void => {
-      const { shown } = this.scenes;
-      if (!figure || (shown ? shown === figure : applies())) return command();
-      this.scenes.show(figure).then(
-        () => this.scenes.shown === figure && command(),
-        (error: unknown) => this.refuse(error),
-      );
-    };
+    let coming = false;
+    let last: (() => void) | null = null;
     const open = (): void => {
-      if (!held || opened) return;
-      opened = true;
-      this.setter.gesture(true);
+      if (!opened) this.setter.gesture((opened = true));
+    };
+    const close = (): void => {
+      if (opened) this.setter.gesture((opened = false));
+    };
+    const isOwn = (id?: string): boolean => {
+      const { shown } = this.scenes;
+      return !figure || (shown ? shown === figure : id === undefined || this.rows().has(id));
+    };
+    const come = async (): Promise<void> => {
+      coming = true;
+      try {
+        await this.scenes.show(figure!);
+        if (this.scenes.shown === figure) {
+          open();
+          last?.();
+          if (!held) close();
+        }
+      } catch (error) {
+        this.refuse(error);
+      } finally {
+        coming = false;
+        last = null;
+      }
     };
     return {
-      set: (id, value) => inOwn(() => this.rows().has(id), () => this.setter.set(id, value)),
+      set: (id, value) => {
+        const command = (): void => this.setter.set(id, value);
+        if (isOwn(id)) return command();
+        last = command;
+        if (!coming) void come();
+      },
       gesture: (begins) => {
         held = begins;
-        if (begins) return inOwn(() => true, open);
-        if (opened) this.setter.gesture(false);
-        opened = false;
+        if (!begins) return close();
+        if (isOwn()) open();
+        else if (!coming) void come();
       },
     };
   }
@@ -204,8 +227,10 @@ export class Page {
   /// Rows beside the prose are made when the figure that has them first comes to the stage.
   private makeControls(rows: ReadonlyMap<string, Parameter>): void {
     this.waiting = this.waiting.filter((place) => {
-      const row = rows.get(place.dataset['parameter']!);
-      if (row) this.controls.push(makeControl(place, row, this.setterOf(this.scenes.about(place))));
+      const figure = this.scenes.about(place);
+      const { shown } = this.scenes;
+      const row = !figure || !shown || shown === figure ? rows.get(place.dataset['parameter']!) : undefined;
+      if (row) this.controls.push({ control: makeControl(place, row, this.setterOf(figure)), figure });
       return !row;
     });
   }

@@ -26,6 +26,10 @@ test('a language has its own chapters, and the others in English', () => {
   assert.equal(german.tag, 'de');
   assert.deepEqual(german.chapter('00-one.md'), { source: 'eins', own: true });
   assert.deepEqual(german.chapter('01-two.md'), { source: 'two', own: false });
+  assert.equal(
+    german.html('<!--foreign--><p>Undo</p><!--/foreign--><p>Undo</p>'),
+    '<!--foreign--><p>Undo</p><!--/foreign--><p>"Zurück"</p>',
+  );
   assert.equal(german.html('<p title="Undo">Undo</p>'), '<p title="&quot;Zurück&quot;">"Zurück"</p>');
   assert.deepEqual(new Language(root, 'en').chapter('00-one.md'), { source: 'one', own: true });
   assert.equal(german.html('<aside aria-label="Try it">\n  Hint\n <code>Hint</code></aside>'),

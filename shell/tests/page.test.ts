@@ -211,7 +211,7 @@ test('text has a contrast of at least 4.5 on paper and cards, controls of 3, in 
   const [light, dark] = css.split(/@media [^{]*dark[^{]*|@media print/).map(colours);
   for (const scheme of [light!, new Map([...light!, ...dark!])]) {
     for (const ground of ['--paper', '--card']) {
-      for (const text of ['--ink', '--ink-soft', '--accent', '--local-a', '--local-b', '--local-c', '--local-d']) {
+      for (const text of ['--ink', '--ink-soft', '--accent', '--local-a', '--local-b', '--local-c', '--local-d', '--local-e']) {
         const ratio = contrast(scheme.get(text)!, scheme.get(ground)!);
         assert.ok(ratio >= 4.5, `${text} on ${ground}: ${ratio.toFixed(2)}`);
       }

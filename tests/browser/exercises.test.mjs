@@ -15,6 +15,17 @@ const ringOf = async (page) => (await documentOf(page)).display.rings[0];
 
 // --- Hands -----------------------------------------------------------------------------------------------------------
 
+/// The page looks at what is dragged ten times a second: waits until it has looked at this state.
+const looked = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        const begun = performance.now();
+        const wait = () => (performance.now() - begun > 120 ? done() : requestAnimationFrame(wait));
+        wait();
+      }),
+  );
+
 /// Takes a handle and goes on along `way` (CSS pixels), `step` pixels at a time, until the page says that this was it,
 /// or to its end.
 async function pull(page, id, handle, way, { shift = false, step = 6 } = {}) {
@@ -25,7 +36,7 @@ async function pull(page, id, handle, way, { shift = false, step = 6 } = {}) {
   const steps = Math.ceil(distance(way, [0, 0]) / step);
   for (let k = 1; k <= steps && !(await solved(page, id)); ++k) {
     await page.mouse.move(...plus(screen, times(k / steps, way)));
-    await frameDrawn(page);
+    await looked(page);
   }
   await page.mouse.up();
   if (shift) await page.keyboard.up('Shift');

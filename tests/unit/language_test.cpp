@@ -44,6 +44,7 @@ TEST_CASE("another language is asked once for each text, and what it says stays 
   const std::string_view first = say("point");
   CHECK(first == "PUNKT");
   std::vector<std::string_view> others;
+  others.reserve(500);
   for (int k = 0; k < 500; ++k) others.push_back(say("number " + std::to_string(k)));
   CHECK(asked.size() == 501);
   for (int k = 0; k < 500; ++k) {

@@ -6,8 +6,8 @@ namespace knotwork::scene {
 
 namespace {
 
-/// The first four are the page's --local-a to --local-d; then indigo, yellow, rust and ice, found by maximizing the
-/// least OKLab distance of any pair under normal and simulated protan, deutan and tritan vision.
+/// The first four are the page's --local-a to --local-d; then indigo, yellow, rust (--local-e) and ice, found by
+/// maximizing the least OKLab distance of any pair under normal and simulated protan, deutan and tritan vision.
 constexpr std::array<std::uint32_t, patch_hue_count> light{0x2f7fb8, 0xe08a1e, 0x3f9a6b, 0xb65a9c,
                                                            0x433591, 0xdfd763, 0x8a3324, 0x66d0df};
 constexpr std::array<std::uint32_t, patch_hue_count> dark{0x5aa9e0, 0xf2aa4b, 0x66c092, 0xd98bc3,

@@ -8,8 +8,8 @@
 
 namespace knotwork {
 
-/// A line along which pieces of a surface meet, and what is left of smoothness there: the largest differences between its
-/// sides.
+/// A line along which pieces of a surface meet, and what is left of smoothness there: the largest differences between
+/// its sides.
 struct SurfaceJoint {
   bool along_v = true;  ///< a line u = parameter; else v = parameter
   double parameter = 0;
@@ -29,9 +29,10 @@ inline JointSeams untwisted_seams(const BlendingSurface& surface) {
 }
 
 /// Every inner knot line, u = const before v = const, each by its parameter; behind those of a closed direction its seam,
-/// whose parameter is the domain's start. From `places` >= 1 places in each knot interval of the other direction, evenly spread and none on a knot. Sides are told
-/// apart as in continuity_at(): by the last parameter before the knot. Rounding leaves of a smooth surface about 1e-13
-/// of its size in `gap`, 1e-8 in `kink`, and of curvatures as much as their own rounding.
+/// whose parameter is the domain's start. Looked at in `places` >= 1 places in each knot interval of the other direction,
+/// evenly spread and none on a knot. Sides are told apart as in continuity_at(): by the last parameter before the knot.
+/// Rounding leaves of a smooth surface about 1e-13 of its size in `gap`, 1e-8 in `kink`, and of curvatures as much as
+/// their own rounding.
 KNOTWORK_LAST std::vector<SurfaceJoint> surface_joints(const KnottedSurface& surface, int places,
                                                        JointSeams seams = {});
 
