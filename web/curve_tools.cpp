@@ -153,15 +153,12 @@ void add_hodograph(Picture& picture, const Figure& figure, const CurveTools& too
   }
 }
 
-void add_circle_at_parameter(Picture& picture, const Figure& figure) {
+void add_circle_at_parameter(Picture& picture, const Figure& figure, double size) {
   const std::optional<CurveView> curve = curve_of(figure);
   const std::optional<double> t = parameter_of(figure);
   if (!curve || !t) return;
   std::array<Eigen::Vector3d, 3> c;
   curve->evaluate(*t, c);
-  Box box;
-  for (const glm::dvec3& point : outline(figure)) box.add(point);
-  const double size = glm::length(box.extent());
   const FrenetFrame frame = frenet_frame(c, size > 0 ? 1e-12 / size : 0);
   if (!frame.regular || frame.straight) return;
   const double radius = 1 / frame.curvature;
@@ -197,6 +194,11 @@ CurveTools curve_tools(const Figure& figure, const scene::Display& display) {
   if (display.comb) tools.comb = curvature_comb(*curve);
   for (const CombHair& hair : tools.comb) tools.tips.emplace_back(hair.tip);
   if (display.hodograph || display.continuity) tools.joints = joints(*curve);
+  if (display.osculating) {
+    Box box;
+    for (const glm::dvec3& point : outline(figure)) box.add(point);
+    tools.size = glm::length(box.extent());
+  }
   if (!display.hodograph) return tools;
   std::vector<glm::dvec3> room = outline(figure);
   room.insert(room.end(), tools.tips.begin(), tools.tips.end());
@@ -211,7 +213,7 @@ void add_tools(Picture& picture, const Figure& figure, const CurveTools& tools) 
   add_hodograph(picture, figure, tools);
   // A model curve has its own, with the frame.
   if (picture.display.osculating && !std::holds_alternative<scene::ModelCurveFigure>(figure))
-    add_circle_at_parameter(picture, figure);
+    add_circle_at_parameter(picture, figure, tools.size);
 }
 
 void add_osculating_circle(Picture& picture, const glm::dvec3& centre, double radius, const glm::dvec3& tangent,

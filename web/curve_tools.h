@@ -26,6 +26,7 @@ struct CurveTools {
   std::vector<CombHair> comb;
   Hodograph hodograph;
   std::vector<Continuity> joints;
+  double size = 0;               ///< of the curve's box, its diagonal; for the osculating circle alone
   std::vector<glm::dvec3> tips;  ///< what needs room in the picture when all of it is shown
 };
 

@@ -1,5 +1,5 @@
 import type { Parameter } from './knotwork';
-import { say, sayName } from './words';
+import { say } from './words';
 
 /// Groups of rows that are not told: how what stands on the stage is drawn or moved, and the measures of its model.
 const silent = ['Sampling', 'Motion', 'Model', 'Animation'];
@@ -16,7 +16,7 @@ export function describe(rows: ReadonlyMap<string, Parameter>, selected: string)
   const sentences: string[] = [];
   if (facts.length > 0) sentences.push(say('As it stands: {}.', facts.join(', ')));
   if (shown.length > 0) sentences.push(say('Shown: {}.', shown.join(', ')));
-  if (selected) sentences.push(say('{} is selected.', sayName(selected)));
+  if (selected) sentences.push(say('{} is selected.', say(selected)));
   if (rows.get('animation.playing')?.value === true) sentences.push(say('It is moving.'));
   return sentences.join(' ');
 }

@@ -21,7 +21,7 @@ export class Page {
   private readonly setter: Setter;
   readonly scenes: Scenes;
   private readonly controls: { control: Control; figure: Figure | null }[] = [];
-  private waiting: HTMLElement[];
+  private waiting: { place: HTMLElement; figure: Figure | null }[];
   private settings: Control[] = [];
   private settingsFor = '';
   private readonly phrases: { button: HTMLButtonElement; action: Action; figure: Figure | null }[] = [];
@@ -59,7 +59,9 @@ export class Page {
     this.exercises = new Exercises(
       figures, this.scenes, bridge, (words) => this.insist(words), () => this.update(),
     );
-    this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')];
+    this.waiting = [...document.querySelectorAll<HTMLElement>('[data-parameter]')].map((place) => ({
+      place, figure: this.scenes.about(place),
+    }));
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-run]')) {
       const phrase = { button, action: parseAction(button.dataset['run']!), figure: this.scenes.about(button) };
       button.addEventListener('click', () => void this.act(phrase.action, phrase.figure));
@@ -226,9 +228,8 @@ export class Page {
 
   /// Rows beside the prose are made when the figure that has them first comes to the stage.
   private makeControls(rows: ReadonlyMap<string, Parameter>): void {
-    this.waiting = this.waiting.filter((place) => {
-      const figure = this.scenes.about(place);
-      const { shown } = this.scenes;
+    const { shown } = this.scenes;
+    this.waiting = this.waiting.filter(({ place, figure }) => {
       const row = !figure || !shown || shown === figure ? rows.get(place.dataset['parameter']!) : undefined;
       if (row) this.controls.push({ control: makeControl(place, row, this.setterOf(figure)), figure });
       return !row;

@@ -1,7 +1,7 @@
 import type { State } from './bridge';
 import { element } from './controls';
 import type { Handle } from './knotwork';
-import { say, sayName } from './words';
+import { say } from './words';
 
 /// Stands in for the handles on the stage: a list to choose one from, by keyboard and for screen readers. Moving the
 /// chosen one is done with the arrow keys on the stage, which gets the focus from the button.
@@ -31,7 +31,7 @@ export class PatchList {
       this.listed = key;
       this.select.replaceChildren(
         new Option(say('none'), ''),
-        ...(surface ? handles().map((handle) => new Option(sayName(handle.label), handle.id)) : []),
+        ...(surface ? handles().map((handle) => new Option(say(handle.label), handle.id)) : []),
       );
     }
     if (surface && this.select.value !== state.selected) this.select.value = state.selected;

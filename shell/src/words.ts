@@ -18,10 +18,4 @@ export function sayRow(row: Parameter): Parameter {
   return { ...row, label, group, unit, disabled, choices };
 }
 
-/// The name of a handle, as "Patch 2, 1": its indices are no words.
-export function sayName(name: string): string {
-  const [, kind = '', indices = ''] = /^(.*?)((?: \d+(?:, \d+)?)?)$/.exec(name) ?? [];
-  return say(kind) + indices;
-}
-
 const translate = __WORDS__ === 'pseudo' ? pseudo : __WORDS__ ? translation(__WORDS__) : null;

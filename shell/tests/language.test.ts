@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { Language } from '../plugins/language';
 import { pseudo } from '../src/pseudo';
 import { filled, translation } from '../src/translation';
-import { say, sayName } from '../src/words';
+import { say } from '../src/words';
 
 /// A shell's folder with a chapter in English and one that German has, too.
 function folder(words: string): string {
@@ -65,7 +65,7 @@ test('the disguise is longer by two fifths; single letters and numbers have none
 test('what scripts say in English is what stands in the source, with its values', () => {
   assert.equal(say('{} of {} exercises solved', 1, 3), '1 of 3 exercises solved');
   assert.equal(say('Undo'), 'Undo');
-  for (const name of ['Patch 2, 1', 'Local curve 12', 'Parameter']) assert.equal(sayName(name), name);
+  for (const name of ['Patch 2, 1', 'Local curve 12', 'Parameter']) assert.equal(say(name), name);
 });
 
 test('a sentence with its values is found by its form, and values have words of their own', () => {

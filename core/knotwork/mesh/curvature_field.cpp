@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 #include <Eigen/Geometry>
 
@@ -11,10 +12,9 @@
 namespace knotwork {
 namespace {
 
-constexpr double usual_share = 0.95;           // of the area, whose values the scale has to hold
-constexpr std::size_t most_looked_at = 65536;  // vertices that the scale is found from
-constexpr double least_bend = 0.1;             // times the size of the surface
-constexpr double largest = 1e30;               // so that scale and values are floats
+constexpr double usual_share = 0.95;  // of the area, whose values the scale has to hold
+constexpr double least_bend = 0.1;    // times the size of the surface
+constexpr double largest = 1e30;      // so that scale and values are floats
 
 /// A vertex: the size of its value, and the area that it stands for.
 struct Sized {
@@ -22,13 +22,25 @@ struct Sized {
 };
 
 /// What the values stay within on that share of the area; 0 where there is no area.
-double usual(std::vector<Sized>& vertices) {
-  std::sort(vertices.begin(), vertices.end(), [](const Sized& a, const Sized& b) { return a.value < b.value; });
+double usual(std::span<Sized> vertices) {
   double left = 0;
   for (const Sized& vertex : vertices) left += usual_share * vertex.area;
-  for (const Sized& vertex : vertices)
-    if ((left -= vertex.area) <= 0) return vertex.area > 0 ? vertex.value : 0;
-  return 0;
+  if (!(left > 0)) return 0;
+  // The half in which the share ends, again and again.
+  while (vertices.size() > 1) {
+    const std::size_t half = vertices.size() / 2;
+    std::nth_element(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
+                     [](const Sized& a, const Sized& b) { return a.value < b.value; });
+    double below = 0;
+    for (const Sized& vertex : vertices.first(half)) below += vertex.area;
+    if (below >= left) {
+      vertices = vertices.first(half);
+    } else {
+      left -= below;
+      vertices = vertices.subspan(half);
+    }
+  }
+  return vertices.front().value;
 }
 
 /// Half the way from the vertex before to the one behind.
@@ -55,8 +67,7 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
   const std::size_t rows = grid.v.size(), strip = std::clamp<std::size_t>(jets_at_once / rows, 1, grid.u.size());
   std::vector<SurfaceJet> jets(strip * rows);
   std::vector<Sized> vertices;
-  const std::size_t stride = 1 + grid.u.size() * rows / most_looked_at;
-  vertices.reserve(grid.u.size() * rows / stride + 1);
+  vertices.reserve(grid.u.size() * rows);
   for (std::size_t first = 0; first < grid.u.size(); first += strip) {
     const std::span<const double> u = std::span(grid.u).subspan(first, std::min(strip, grid.u.size() - first));
     const std::span<SurfaceJet> made = std::span(jets).first(u.size() * rows);
@@ -67,7 +78,6 @@ CurvatureField curvature_field(const KnottedSurface& surface, const SampleGrid& 
       const double value = kind == CurvatureKind::gaussian ? curved.gaussian : curved.mean;
       const std::size_t place = field.values.size();
       field.values.push_back(std::isfinite(value) ? std::clamp(value, -largest, largest) : 0);
-      if (place % stride != 0) continue;
       const double area = jet.su.cross(jet.sv).norm() * width(grid.u, place / rows) * width(grid.v, place % rows);
       vertices.push_back({std::abs(field.values.back()), std::isfinite(area) ? area : 0});
     }

@@ -15,8 +15,8 @@ struct CurvatureField {
   std::vector<double>
       values;  ///< vertex a * rows + b for (u[a], v[b]); 0 where there is no tangent plane, at most 1e30
   /// Where a scale of colours should end: 1, 2 or 5 times a power of ten, at least what the values stay within on nineteen
-  /// twentieths of the area, told by some of the vertices where there are many. Not less than 0.1 over the size of the
-  /// surface (its box's diagonal), or over its square of K: on a plane or a minimal surface the rest is rounding.
+  /// twentieths of the area. Not less than 0.1 over the size of the surface (its box's diagonal), or over its square of
+  /// K: on a plane or a minimal surface the rest is rounding.
   double scale = 1;
 };
 
